@@ -1,0 +1,25 @@
+# Libraries, each with the Debian 12 package that has it.
+function(firsthit_need name package)
+    find_package(${name} ${ARGN} QUIET)
+    if(NOT ${name}_FOUND)
+        message(FATAL_ERROR "firsthit needs ${name}: apt-get install ${package}")
+    endif()
+    set(${name}_FOUND ${${name}_FOUND} PARENT_SCOPE)
+endfunction()
+
+firsthit_need(glm libglm-dev)
+firsthit_need(TBB libtbb-dev)
+firsthit_need(hwy libhwy-dev)
+firsthit_need(assimp libassimp-dev)
+firsthit_need(PNG libpng-dev)
+firsthit_need(OpenEXR libopenexr-dev)
+firsthit_need(fmt libfmt-dev)
+
+# Debian's hwy package exports its target under this name only.
+set(FIRSTHIT_PRIVATE_LIBRARIES TBB::tbb hwy::hwy assimp::assimp PNG::PNG OpenEXR::OpenEXR fmt::fmt)
+if(FIRSTHIT_BUILD_EMBREE)
+    firsthit_need(embree libembree-dev 3)
+    list(APPEND FIRSTHIT_PRIVATE_LIBRARIES embree)
+else()
+    message(STATUS "firsthit: without Embree (FIRSTHIT_BUILD_EMBREE=OFF)")
+endif()

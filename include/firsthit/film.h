@@ -1,0 +1,62 @@
+// film.h - named planes of a picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace firsthit {
+
+/// What a film can hold beside the colour. All are of the ray through the pixel's centre, never
+/// blended, whatever the number of samples.
+enum class Aov {
+    item,             // 1 x uint32: triangle id, none = 0xFFFFFFFF
+    depth,            // 1: along the view axis, world units, none = +inf
+    distance,         // 1: from the eye, world units, none = +inf
+    uv,               // 2: texture coordinates, none = 0
+    normal,           // 3: interpolated, unit, world space, towards the eye; none = 0
+    geometric_normal, // 3: of the triangle's plane, unit, world space, towards the eye; none = 0
+    position,         // 3: world space, none = 0
+    albedo,           // 3: diffuse colour times texture, linear; none = 0
+};
+inline constexpr int kAovCount = 8;
+
+/// "item", "depth", ...
+std::string_view aov_name(Aov aov);
+/// throws ArgumentError that lists the names
+Aov aov_from_name(std::string_view name);
+/// 1, 2 or 3
+int aov_channels(Aov aov);
+
+/// (height, width, channels) float, row 0 at the top. Empty where it was not asked for.
+struct Plane {
+    int channels = 0;
+    std::vector<float> value;
+    bool empty() const { return value.empty(); }
+};
+
+/// A picture: colour in linear Rec.709 (height, width, 3), and the planes asked for.
+struct Film {
+    int width = 0;
+    int height = 0;
+    Plane color;
+    std::array<Plane, kAovCount> aov; // float planes, by Aov; Aov::item is in `item`
+    std::vector<std::uint32_t> item;  // (height, width), or empty
+
+    Plane& operator[](Aov a) { return aov[static_cast<std::size_t>(a)]; }
+    const Plane& operator[](Aov a) const { return aov[static_cast<std::size_t>(a)]; }
+};
+
+/// Writes the colour as 8-bit sRGB .png, or as float .exr (R, G, B), by the file's ending.
+/// The file appears whole or not at all: it is written to a temporary name beside it and renamed.
+/// throws  FileError (cannot be written), ArgumentError (another ending)
+void write_color(const Film& film, const std::string& path);
+
+/// Writes one plane as .exr (item as UINT, the others as FLOAT; channel names Z, N.X, P.X, ... ) or
+/// .npy (uint32 (H, W) for item, float32 (H, W) or (H, W, C)), by the file's ending.
+/// throws  as write_color; ArgumentError where the film lacks the plane
+void write_aov(const Film& film, Aov aov, const std::string& path);
+
+} // namespace firsthit

@@ -1,0 +1,9 @@
+// firsthit.h - all of the library.
+#pragma once
+
+#include <firsthit/compare.h>
+#include <firsthit/error.h>
+#include <firsthit/film.h>
+#include <firsthit/render.h>
+#include <firsthit/scene.h>
+#include <firsthit/view.h>

@@ -1,0 +1,189 @@
+// scene.h - a scene as it was read, and the world it makes at one time.
+#pragma once
+
+#include <firsthit/view.h>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace firsthit {
+
+/// No triangle. The value of an item where a ray meets nothing.
+inline constexpr std::uint32_t kNoItem = 0xFFFFFFFFu;
+
+/// A picture wrapped around triangles: RGBA, 8 bits, sRGB, row 0 at the top, repeated outside [0, 1].
+/// levels[0] is the picture; each next level is half as wide and high (at least 1), averaged in
+/// linear light.
+struct Texture {
+    struct Level {
+        int width = 0;
+        int height = 0;
+        std::vector<std::uint32_t> texel; // height * width; red in the lowest byte
+    };
+    std::string name;
+    std::vector<Level> levels;
+};
+
+/// Phong's material. Colours are linear Rec.709 and may exceed 1.
+struct Material {
+    std::string name;
+    glm::vec3 ambient{0.1f};
+    glm::vec3 diffuse{0.8f};
+    glm::vec3 specular{0.0f};
+    float shininess = 1.0f;     // Phong's exponent
+    float transmittance = 0.0f; // 0 opaque to 1 clear
+    float ior = 1.0f;
+    std::int32_t texture = -1; // multiplies diffuse and ambient; -1 none
+};
+
+/// One key of a Kochanek-Bartels spline. value: a translation or scale in xyz, or a unit quaternion
+/// with xyz the vector part and w the scalar part.
+struct TrackKey {
+    double time_s = 0;
+    glm::dvec4 value{0, 0, 0, 1};
+    double tension = 0;
+    double continuity = 0;
+    double bias = 0;
+};
+
+/// The movement of a node: matrix = T * R * S, a missing part is the identity. As in BART, the first
+/// and the last key of a part only shape the end tangents (see src/scene/track.h).
+struct Track {
+    std::string name;
+    std::vector<TrackKey> translation;
+    std::vector<TrackKey> rotation;
+    std::vector<TrackKey> scale;
+    std::vector<std::pair<double, bool>> visibility; // steps: (time, visible); visible before the first
+};
+
+/// A coordinate frame. Parents come before their children.
+struct Node {
+    std::string name;
+    std::int32_t parent = -1;  // -1: the world
+    glm::dmat4 local{1.0};     // parent_from_node, where there is no track
+    std::int32_t track = -1;   // replaces local where >= 0
+};
+
+/// A part's shape at one time: the shape between two keys is interpolated linearly, clamped outside.
+struct MorphKey {
+    double time_s = 0;
+    std::vector<glm::vec3> position;
+    std::vector<glm::vec3> normal;
+};
+
+/// Writes the object-space positions and unit normals of the part's vertices [first, last) at a time.
+/// position[0] and normal[0] are vertex `first`. Called from several threads for disjoint ranges.
+using Deform = std::function<void(
+    double time_s, std::size_t first, std::size_t last, glm::vec3* position, glm::vec3* normal)>;
+
+/// A run of vertices and triangles that share a node and a material.
+struct Part {
+    std::string name;
+    std::uint32_t node = 0;
+    std::uint32_t material = 0;
+    std::uint32_t first_vertex = 0;
+    std::uint32_t vertex_count = 0;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangle_count = 0;
+    std::vector<MorphKey> morph; // empty: rigid
+    Deform deform;               // set: writes the part's vertices, the arrays of the scene are unused
+};
+
+/// A point light without fall-off, as in the paper's scenes.
+struct PointLight {
+    glm::dvec3 position{0};
+    glm::vec3 color{1.0f};
+    std::int32_t track = -1; // >= 0: the track's translation replaces position
+};
+
+/// A scene as read, immutable after loading. Right-handed, y up.
+///
+/// Triangle ids number `index` from 0 in file order and stay below kNoItem.
+struct Scene {
+    std::string name;
+
+    std::vector<Node> nodes;
+    std::vector<Track> tracks;
+    std::vector<Part> parts; // in order of their triangles, without gaps
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<PointLight> lights;
+
+    std::vector<glm::vec3> position; // (V) object space
+    std::vector<glm::vec3> normal;   // (V) unit, object space
+    std::vector<glm::vec2> uv;       // (V), or empty where no part has a texture
+    std::vector<glm::uvec3> index;   // (T) into position, counter-clockwise = front
+    std::vector<std::uint32_t> owner; // (T) the part of each triangle
+
+    std::optional<Camera> camera; // none: see framing_camera
+    std::int32_t camera_track = -1;
+    glm::vec3 background{0.0f};
+    glm::vec3 ambient{1.0f}; // multiplies every material's ambient colour
+
+    double begin_s = 0; // the animation's range; equal where nothing moves
+    double end_s = 0;
+    int frames = 1;
+
+    std::vector<std::string> warnings; // what a reader had to do without, one line each
+
+    std::size_t vertex_count() const { return vertices; }
+    std::size_t triangle_count() const { return index.size(); }
+
+    /// V. `position` and `normal` may be empty where every part deforms.
+    std::size_t vertices = 0;
+};
+
+/// The scene posed at one time, in world space. Memory is reused from pose to pose.
+struct World {
+    const Scene* scene = nullptr;
+    double time_s = 0;
+    std::vector<glm::vec3> position; // (V)
+    std::vector<glm::vec3> normal;   // (V) unit
+    std::vector<PointLight> lights;
+    Camera camera;
+    std::vector<glm::dmat4> node_matrix;      // (nodes) world_from_node
+    std::vector<std::uint8_t> node_visible;   // (nodes)
+};
+
+/// How files become scenes.
+struct LoadSettings {
+    double crease_angle_rad = 3.14159265358979323846; // smooth normals across smaller angles
+    int sphere_segments = 32; // around the equator; half as many from pole to pole
+    int cone_segments = 32;   // around the axis
+};
+
+/// Reads a scene: a file (.aff .nff .ply .stl .obj), or builtin:torus, builtin:robots,
+/// builtin:wave?n=N (N triangles, 2 to 10,000,000).
+///
+/// throws  FileError: missing, unreadable, malformed (names file and line or element)
+///         SceneError: an index out of range, a coordinate that is not finite
+///         ArgumentError: an unknown built-in or a parameter out of range
+Scene load_scene(const std::string& name, const LoadSettings& settings = {});
+
+/// A scene from arrays, one part, one material. normal and uv may be empty (flat normals are made).
+/// throws  SceneError as load_scene
+Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3> index,
+    std::vector<glm::vec3> normal = {}, std::vector<glm::vec2> uv = {});
+
+/// Poses the scene at a time, clamped to nothing: tracks clamp themselves. Deterministic, whatever
+/// the number of threads; writes into `world` and allocates nothing once its sizes have settled.
+/// A part of an invisible node collapses to a point, which no ray hits.
+void pose(const Scene& scene, double time_s, World& world, int threads = 1);
+
+/// A camera that sees the whole world from the front, slightly above.
+Camera framing_camera(const World& world);
+
+/// Smallest and largest posed coordinate on each axis. An empty world gives two zeros.
+std::array<glm::vec3, 2> bounds(const World& world);
+
+} // namespace firsthit
