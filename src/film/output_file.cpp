@@ -2,6 +2,7 @@
 #include "film/output_file.h"
 
 #include <firsthit/error.h>
+#include <firsthit/file.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -75,6 +76,13 @@ void check_output_path(const std::string& path)
     if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
         throw_cannot_write(path, target, ENOTDIR);
     if (access(folder.c_str(), W_OK | X_OK) != 0) throw_cannot_write(path, target, errno);
+}
+
+void write_file(const std::string& path, std::string_view bytes)
+{
+    OutputFile file(path);
+    file.write(bytes.data(), bytes.size());
+    file.commit();
 }
 
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path))

@@ -43,10 +43,6 @@ class OutputFile {
     int error_ = 0; // errno of the first failure
 };
 
-/// Throws the FileError that OutputFile would throw at once: the folder is missing, `path` is one.
-/// For asking before a long computation; it creates nothing.
-void check_output_path(const std::string& path);
-
 /// True where `path` exists and is neither a regular file nor a folder.
 bool is_device(const std::string& path);
 

@@ -3,6 +3,7 @@
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>
+#include <firsthit/file.h>
 #include <firsthit/film.h>
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "film/temporary_folder.h"
 
 #include <firsthit/error.h>
+#include <firsthit/file.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -20,13 +21,6 @@ std::string message_of(const std::function<void()>& action)
         return error.what();
     }
     return "no error";
-}
-
-void write_text(const std::string& path, const std::string& text)
-{
-    OutputFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
 }
 
 TEST(OutputFile, IsNotThereUntilItIsCommitted)
@@ -53,7 +47,7 @@ TEST(OutputFile, LeavesNothingWithoutACommit)
 TEST(OutputFile, LeavesTheOldFileWithoutACommit)
 {
     const TemporaryFolder folder;
-    write_text(folder / "a.bin", "old");
+    write_file(folder / "a.bin", "old");
     {
         OutputFile file(folder / "a.bin");
         file.write("new", 3);
@@ -65,8 +59,8 @@ TEST(OutputFile, LeavesTheOldFileWithoutACommit)
 TEST(OutputFile, ReplacesTheOldFile)
 {
     const TemporaryFolder folder;
-    write_text(folder / "a.bin", "a longer old text");
-    write_text(folder / "a.bin", "new");
+    write_file(folder / "a.bin", "a longer old text");
+    write_file(folder / "a.bin", "new");
     EXPECT_EQ(bytes_of(folder / "a.bin"), "new");
 }
 
@@ -85,9 +79,9 @@ TEST(OutputFile, GoesBackToAnOffset)
 TEST(OutputFile, FollowsALinkAndKeepsIt)
 {
     const TemporaryFolder folder;
-    write_text(folder / "real.bin", "old");
+    write_file(folder / "real.bin", "old");
     std::filesystem::create_symlink("real.bin", folder / "link.bin");
-    write_text(folder / "link.bin", "new");
+    write_file(folder / "link.bin", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.bin"));
     EXPECT_EQ(bytes_of(folder / "real.bin"), "new");
 }
@@ -110,7 +104,7 @@ TEST(OutputFile, AFolderIsNoFile)
 TEST(OutputFile, AFileIsNoFolder)
 {
     const TemporaryFolder folder;
-    write_text(folder / "a", "text");
+    write_file(folder / "a", "text");
     EXPECT_EQ(message_of([&] { OutputFile file(folder / "a/b.bin"); }),
         (folder / "a/b.bin") + ": cannot write: Not a directory");
 }
@@ -135,13 +129,13 @@ TEST(OutputFile, ANameThatIsTooLongLeavesNothing)
     const TemporaryFolder folder;
     const std::string path = folder / std::string(300, 'x');
     EXPECT_EQ(
-        message_of([&] { write_text(path, "text"); }), path + ": cannot write: File name too long");
+        message_of([&] { write_file(path, "text"); }), path + ": cannot write: File name too long");
     EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(OutputFile, AFullDiskIsReported)
 {
-    EXPECT_EQ(message_of([] { write_text("/dev/full", "text"); }),
+    EXPECT_EQ(message_of([] { write_file("/dev/full", "text"); }),
         "/dev/full: cannot write: No space left on device");
 }
 
@@ -158,7 +152,7 @@ TEST(OutputFile, SaysItAgainAtTheCommitWhenAnErrorWasSwallowed)
 
 TEST(OutputFile, ADeviceIsWrittenDirectlyAndStaysADevice)
 {
-    write_text("/dev/null", "text");
+    write_file("/dev/null", "text");
     EXPECT_TRUE(is_device("/dev/null"));
 }
 
