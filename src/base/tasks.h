@@ -25,8 +25,7 @@ class Tasks {
 
     /// Calls body(first, last) for disjoint ranges that cover [0, count), about `grain` long each.
     /// On one thread it is one plain loop over the same ranges, in order.
-    template <class Body>
-    void for_ranges(std::size_t count, std::size_t grain, const Body& body)
+    template <class Body> void for_ranges(std::size_t count, std::size_t grain, const Body& body)
     {
         if (threads_ == 1) {
             for (std::size_t first = 0; first < count; first += grain)
@@ -35,8 +34,9 @@ class Tasks {
         }
         const std::size_t ranges = (count + grain - 1) / grain;
         arena_.execute([&] {
-            tbb::parallel_for(std::size_t(0), ranges,
-                [&](std::size_t r) { body(r * grain, std::min(count, (r + 1) * grain)); });
+            tbb::parallel_for(std::size_t(0), ranges, [&](std::size_t r) {
+                body(r * grain, std::min(count, (r + 1) * grain));
+            });
         });
     }
 
