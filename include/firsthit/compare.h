@@ -5,8 +5,7 @@
 #include <firsthit/view.h>
 
 #include <cstdint>
-#include <string>
-#include <vector>
+#include <functional>
 
 namespace firsthit {
 
@@ -25,7 +24,9 @@ struct Comparison {
 };
 
 /// Compares the items of one frame with those of another caster.
-/// throws  DeviceError where the build has no Embree
-Comparison compare(const World& world, const View& view, Oracle oracle, int threads = 0);
+/// progress  called on one thread now and then with the share of the casting that is done
+/// throws    DeviceError where the build has no Embree; ArgumentError as Renderer::render
+Comparison compare(const World& world, const View& view, Oracle oracle, int threads = 0,
+    const std::function<void(double)>& progress = {});
 
 } // namespace firsthit

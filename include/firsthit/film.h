@@ -20,8 +20,9 @@ enum class Aov {
     geometric_normal, // 3: of the triangle's plane, unit, world space, towards the eye; none = 0
     position,         // 3: world space, none = 0
     albedo,           // 3: diffuse colour times texture, linear; none = 0
+    barycentric,      // 2: u, v, weights of corners 1 and 2 (Embree's convention); none = 0
 };
-inline constexpr int kAovCount = 8;
+inline constexpr int kAovCount = 9;
 
 /// "item", "depth", ...
 std::string_view aov_name(Aov aov);

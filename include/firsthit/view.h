@@ -26,7 +26,7 @@ struct Region {
 /// f = height / (2 tan(fov_y / 2)). A region selects some of the same rays, so the same bits.
 struct View {
     Camera camera;
-    int width = 1024; // 1 to 65536
+    int width = 1024; // 1 to 65536; at most 2^28 pixels in a region
     int height = 1024;
     Region region;
 };

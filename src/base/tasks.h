@@ -1,11 +1,12 @@
 // tasks.h - runs loops on a fixed number of threads (oneTBB).
 #pragma once
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <thread>
 
@@ -23,25 +24,32 @@ class Tasks {
 
     int threads() const { return threads_; }
 
-    /// Calls body(first, last) for disjoint ranges that cover [0, count), about `grain` long each.
-    /// On one thread it is one plain loop over the same ranges, in order.
-    template <class Body> void for_ranges(std::size_t count, std::size_t grain, const Body& body)
+    /// Calls body(i, worker) for each i in [0, count), as workers become free. worker is below
+    /// threads(), and no two calls with the same worker overlap.
+    template <class Body> void for_each(std::size_t count, const Body& body)
     {
-        if (threads_ == 1) {
-            for (std::size_t first = 0; first < count; first += grain)
-                body(first, std::min(count, first + grain));
+        if (threads_ == 1 || count <= 1) {
+            for (std::size_t i = 0; i < count; ++i) body(i, std::size_t(0));
             return;
         }
-        const std::size_t ranges = (count + grain - 1) / grain;
+        std::atomic<std::size_t> next{0};
         arena_.execute([&] {
-            tbb::parallel_for(std::size_t(0), ranges, [&](std::size_t r) {
-                body(r * grain, std::min(count, (r + 1) * grain));
-            });
+            tbb::parallel_for(
+                std::size_t(0), std::size_t(threads_),
+                [&](std::size_t worker) {
+                    for (std::size_t i = next++; i < count; i = next++) body(i, worker);
+                },
+                tbb::simple_partitioner());
         });
     }
 
-    /// The number of the thread that calls, below threads().
-    static int thread_index() { return std::max(0, tbb::this_task_arena::current_thread_index()); }
+    /// Calls body(first, last) for ranges of `grain` that cover [0, count).
+    template <class Body> void for_ranges(std::size_t count, std::size_t grain, const Body& body)
+    {
+        for_each((count + grain - 1) / grain, [&](std::size_t range, std::size_t) {
+            body(range * grain, std::min(count, (range + 1) * grain));
+        });
+    }
 
   private:
     int threads_;

@@ -1,0 +1,159 @@
+// shade_bench.cpp - milliseconds to shade a million samples, by the length of runs.
+//
+// Arguments: samples in a run, 1 if textured, number of lights. A plain is cut into as many
+// triangles as there are runs, as a real mesh would be.
+#include "base/simd_targets.h"
+#include "shade/shade_tile.h"
+
+#include <benchmark/benchmark.h>
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace firsthit {
+namespace {
+
+constexpr int kTile = 64;
+constexpr int kTiles = 256; // a million samples
+
+/// The run lengths asked for, as masks that tile a block.
+std::vector<std::uint64_t> masks_of_length(int samples)
+{
+    std::vector<std::uint64_t> masks;
+    std::uint64_t open = ~std::uint64_t(0);
+    while (open != 0) {
+        // Grow a patch from the first open sample: neighbours in the block, roughly square.
+        std::uint64_t mask = 0;
+        const int seed = std::countr_zero(open);
+        for (int reach = 0; reach < 2 * kBlock && std::popcount(mask) < samples; ++reach)
+            for (int k = 0; k < kBlockSamples && std::popcount(mask) < samples; ++k) {
+                const int dx = std::abs(block_x(k) - block_x(seed));
+                const int dy = std::abs(block_y(k) - block_y(seed));
+                if (std::max(dx, dy) <= reach && (open >> k & 1)) mask |= std::uint64_t(1) << k;
+            }
+        masks.push_back(mask);
+        open &= ~mask;
+    }
+    return masks;
+}
+
+/// A tile's worth of hits; all tiles of the benchmark see their own triangles.
+struct Picture {
+    Scene scene;
+    World world;
+    std::vector<std::vector<HitRun>> runs;
+    alignas(64) float t[kTile * kTile];
+    alignas(64) float u[kTile * kTile];
+    alignas(64) float v[kTile * kTile];
+
+    Picture(int samples_in_run, bool textured, int lights)
+    {
+        Material material;
+        material.specular = glm::vec3(0.3f);
+        material.shininess = 20;
+        if (textured) {
+            Texture texture;
+            for (int size = 256; size > 0; size /= 2)
+                texture.levels.push_back({size, size,
+                    std::vector<std::uint32_t>(std::size_t(size * size), 0xFF8040C0u)});
+            scene.textures.push_back(texture);
+            material.texture = 0;
+        }
+        scene.materials.push_back(material);
+        scene.parts.emplace_back();
+        for (int i = 0; i < lights; ++i)
+            world.lights.push_back({.position = {i, 50, -10}, .color = glm::vec3(1.0f)});
+
+        // Each run gets a triangle of its own; each vertex is shared by six, as in a mesh.
+        const std::vector<std::uint64_t> masks = masks_of_length(samples_in_run);
+        std::uint32_t triangle = 0;
+        for (int tile = 0; tile < kTiles; ++tile) {
+            runs.emplace_back();
+            for (std::uint32_t block = 0; block < 64; ++block)
+                for (const std::uint64_t mask : masks) {
+                    runs.back().push_back({triangle, block, mask});
+                    scene.index.emplace_back(triangle / 2, triangle / 2 + 1, triangle / 2 + 7);
+                    ++triangle;
+                }
+        }
+        scene.owner.assign(triangle, 0);
+        for (std::uint32_t vertex = 0; vertex < triangle / 2 + 8; ++vertex) {
+            const float x = static_cast<float>(vertex % 7);
+            const float z = static_cast<float>(vertex % 5);
+            world.position.emplace_back(x, -1.0f, z - 10.0f);
+            world.normal.emplace_back(0.0f, 0.8f, 0.6f);
+            scene.uv.emplace_back(x, z);
+        }
+        scene.vertices = world.position.size();
+        world.scene = &scene;
+        for (int k = 0; k < kTile * kTile; ++k) {
+            t[k] = 5.0f + static_cast<float>(k % 64) / 64.0f;
+            u[k] = static_cast<float>(k % 8) / 32.0f;
+            v[k] = static_cast<float>(k % 64) / 128.0f;
+        }
+    }
+
+    HitTile hits() const
+    {
+        HitTile tile;
+        tile.size = kTile;
+        tile.frame.inv_f = 1.0f / 1000.0f;
+        tile.frame.world_from_eye[1].y = -1;
+        tile.frame.world_from_eye[2].z = -1;
+        tile.t = t;
+        tile.u = u;
+        tile.v = v;
+        return tile;
+    }
+};
+
+void shade_a_million(benchmark::State& state)
+{
+    Picture picture(int(state.range(0)), state.range(1) != 0, int(state.range(2)));
+    alignas(64) static float color[3][kTile * kTile];
+    const ShadeTargets targets{.color = {color[0], color[1], color[2]}};
+    HitTile hits = picture.hits();
+    for (auto _ : state)
+        for (const std::vector<HitRun>& runs : picture.runs) {
+            hits.runs = runs;
+            shade_tile(hits, picture.world, targets);
+            benchmark::DoNotOptimize(color);
+        }
+}
+BENCHMARK(shade_a_million)
+    ->ArgNames({"run", "textured", "lights"})
+    ->ArgsProduct({{1, 6, 16, 64}, {0, 1}, {1}})
+    ->Args({6, 0, 4})
+    ->Unit(benchmark::kMillisecond);
+
+/// The same, on one instruction set: run of 6, 1 light.
+void shade_a_million_on(benchmark::State& state)
+{
+    const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    if (std::size_t(state.range(0)) >= targets.size()) {
+        state.SkipWithError("no such target here");
+        return;
+    }
+    const std::int64_t target = targets[std::size_t(state.range(0))];
+    state.SetLabel(hwy::TargetName(target));
+    Picture picture(6, state.range(1) != 0, 1);
+    alignas(64) static float color[3][kTile * kTile];
+    const ShadeTargets to{.color = {color[0], color[1], color[2]}};
+    HitTile hits = picture.hits();
+    hwy::GetChosenTarget().Update(target);
+    for (auto _ : state)
+        for (const std::vector<HitRun>& runs : picture.runs) {
+            hits.runs = runs;
+            shade_tile(hits, picture.world, to);
+            benchmark::DoNotOptimize(color);
+        }
+    hwy::GetChosenTarget().DeInit();
+}
+BENCHMARK(shade_a_million_on)
+    ->ArgNames({"target", "textured"})
+    ->ArgsProduct({{0, 1, 2, 3}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace firsthit

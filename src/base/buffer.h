@@ -1,0 +1,51 @@
+// buffer.h - memory that is kept from frame to frame: grows, never shrinks, starts undefined.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+
+namespace firsthit {
+
+/// An array of trivial elements, aligned to 64 bytes. Fresh memory is not touched, so what is
+/// reserved and never used costs address space only.
+template <class T> class Buffer {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+  public:
+    /// Room for count elements; the content is undefined where it had to grow. `spare` more are
+    /// reserved when it grows, so that slowly growing needs allocate seldom.
+    void resize(std::size_t count, std::size_t spare = 0)
+    {
+        if (count > capacity_) {
+            data_.reset();
+            const std::size_t bytes = ((count + spare) * sizeof(T) + 127) / 64 * 64;
+            void* memory = std::aligned_alloc(64, bytes);
+            if (!memory) throw std::bad_alloc();
+            data_.reset(static_cast<T*>(memory));
+            capacity_ = count + spare;
+        }
+        size_ = count;
+    }
+
+    T* data() { return data_.get(); }
+    const T* data() const { return data_.get(); }
+    std::size_t size() const { return size_; }
+    T& operator[](std::size_t i) { return data_.get()[i]; }
+    const T& operator[](std::size_t i) const { return data_.get()[i]; }
+    std::span<T> span() { return {data(), size_}; }
+    std::span<const T> span() const { return {data(), size_}; }
+
+  private:
+    struct Free {
+        void operator()(T* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<T[], Free> data_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+} // namespace firsthit

@@ -1,0 +1,59 @@
+// scalar_real.h - what `real` means in src/glsl/ for plain C++: a float.
+//
+// Each operation gives the bits of the same operation of one lane in simd_real-inl.h.
+#pragma once
+
+#include "base/pure.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace firsthit::scalar {
+
+using real = float;
+using integer = std::int32_t;
+using truth = bool;
+
+FIRSTHIT_PURE real min(real a, real b)
+{
+    return a < b ? a : b;
+}
+FIRSTHIT_PURE real max(real a, real b)
+{
+    return a > b ? a : b;
+}
+FIRSTHIT_PURE real sqrt(real a)
+{
+    return std::sqrt(a);
+}
+FIRSTHIT_PURE real floor(real a)
+{
+    return std::floor(a);
+}
+FIRSTHIT_PURE real mix(real a, real b, truth choose_b)
+{
+    return choose_b ? b : a;
+}
+
+/// As integers of one lane: they wrap around, and shift their sign.
+FIRSTHIT_PURE integer shift_left_23(integer a)
+{
+    return static_cast<integer>(static_cast<std::uint32_t>(a) << 23);
+}
+FIRSTHIT_PURE integer shift_right_23(integer a)
+{
+    return a >> 23;
+}
+FIRSTHIT_PURE integer floatBitsToInt(real a)
+{
+    return std::bit_cast<integer>(a);
+}
+FIRSTHIT_PURE real intBitsToFloat(integer a)
+{
+    return std::bit_cast<real>(a);
+}
+
+#include "base/real_vectors.inl"
+
+} // namespace firsthit::scalar

@@ -1,0 +1,205 @@
+// simd_real-inl.h - one SIMD register as a number: what `real` means in src/glsl/ for a kernel.
+#if defined(FIRSTHIT_BASE_SIMD_REAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_BASE_SIMD_REAL_INL_H_
+#undef FIRSTHIT_BASE_SIMD_REAL_INL_H_
+#else
+#define FIRSTHIT_BASE_SIMD_REAL_INL_H_
+#endif
+
+#include "base/pure.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using RealTag = hn::ScalableTag<float>;
+using IntegerTag = hn::RebindToSigned<RealTag>;
+
+/// How many samples a real holds: 1, 4, 8 or 16.
+inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(RealTag()));
+static_assert(kLanes == 1 || kLanes == 4 || kLanes == 8 || kLanes == 16);
+
+/// One truth value a lane.
+struct truth {
+    hn::Mask<RealTag> lanes;
+};
+
+/// One int32 a lane.
+struct integer {
+    hn::Vec<IntegerTag> lanes;
+    integer() = default;
+    HWY_INLINE integer(int same) : lanes(hn::Set(IntegerTag(), same)) {}
+    HWY_INLINE explicit integer(hn::Vec<IntegerTag> vector) : lanes(vector) {}
+};
+
+/// One float a lane.
+struct real {
+    hn::Vec<RealTag> lanes;
+    real() = default;
+    HWY_INLINE real(float same) : lanes(hn::Set(RealTag(), same)) {}
+    HWY_INLINE explicit real(hn::Vec<RealTag> vector) : lanes(vector) {}
+    HWY_INLINE explicit real(integer i) : lanes(hn::ConvertTo(RealTag(), i.lanes)) {}
+};
+
+FIRSTHIT_PURE real operator+(real a, real b)
+{
+    return real(hn::Add(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE real operator-(real a, real b)
+{
+    return real(hn::Sub(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE real operator*(real a, real b)
+{
+    return real(hn::Mul(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE real operator/(real a, real b)
+{
+    return real(hn::Div(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE truth operator>(real a, real b)
+{
+    return {hn::Gt(a.lanes, b.lanes)};
+}
+FIRSTHIT_PURE truth operator>=(real a, real b)
+{
+    return {hn::Ge(a.lanes, b.lanes)};
+}
+FIRSTHIT_PURE truth operator<(real a, real b)
+{
+    return {hn::Lt(a.lanes, b.lanes)};
+}
+
+FIRSTHIT_PURE real sqrt(real a)
+{
+    return real(hn::Sqrt(a.lanes));
+}
+FIRSTHIT_PURE real floor(real a)
+{
+    return real(hn::Floor(a.lanes));
+}
+
+/// b where `choose_b`, else a, like GLSL's.
+FIRSTHIT_PURE real mix(real a, real b, truth choose_b)
+{
+    return real(hn::IfThenElse(choose_b.lanes, b.lanes, a.lanes));
+}
+
+/// b where either is no number (x86's rule, kept elsewhere): write the constant second.
+FIRSTHIT_PURE real min(real a, real b)
+{
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+    return real(hn::Min(a.lanes, b.lanes));
+#else
+    return mix(b, a, a < b);
+#endif
+}
+FIRSTHIT_PURE real max(real a, real b)
+{
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+    return real(hn::Max(a.lanes, b.lanes));
+#else
+    return mix(b, a, a > b);
+#endif
+}
+
+FIRSTHIT_PURE integer operator+(integer a, integer b)
+{
+    return integer(hn::Add(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE integer operator-(integer a, integer b)
+{
+    return integer(hn::Sub(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE integer operator*(integer a, integer b)
+{
+    return integer(hn::Mul(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE integer operator&(integer a, integer b)
+{
+    return integer(hn::And(a.lanes, b.lanes));
+}
+FIRSTHIT_PURE integer shift_left_23(integer a)
+{
+    return integer(hn::ShiftLeft<23>(a.lanes));
+}
+FIRSTHIT_PURE integer shift_right_23(integer a)
+{
+    return integer(hn::ShiftRight<23>(a.lanes));
+}
+FIRSTHIT_PURE integer floatBitsToInt(real a)
+{
+    return integer(hn::BitCast(IntegerTag(), a.lanes));
+}
+FIRSTHIT_PURE real intBitsToFloat(integer a)
+{
+    return real(hn::BitCast(RealTag(), a.lanes));
+}
+
+/// From and to memory that is aligned to 64 bytes at sample 0.
+FIRSTHIT_PURE real load(const float* p)
+{
+    return real(hn::Load(RealTag(), p));
+}
+FIRSTHIT_PURE void store(real a, float* p)
+{
+    hn::Store(a.lanes, RealTag(), p);
+}
+
+/// Writes the chosen lanes. The others are read and written back, but on AVX-512: AVX2's masked
+/// stores are microcode on AMD.
+FIRSTHIT_PURE void store_where(truth chosen, real a, float* p)
+{
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    hn::BlendedStore(a.lanes, chosen.lanes, RealTag(), p);
+#else
+    store(mix(load(p), a, chosen), p);
+#endif
+}
+
+/// The kLanes lowest bits as lanes, bit 0 in lane 0.
+FIRSTHIT_PURE truth truth_of_bits(std::uint64_t bits)
+{
+    std::uint8_t bytes[8]; // Highway reads 8
+    for (int i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
+    return {hn::LoadMaskBits(RealTag(), bytes)};
+}
+
+/// The lanes as the kLanes lowest bits.
+FIRSTHIT_PURE std::uint64_t bits_of_truth(truth a)
+{
+    std::uint8_t bytes[8] = {}; // Highway writes up to 8
+    hn::StoreMaskBits(RealTag(), a.lanes, bytes);
+    return (bytes[0] | std::uint64_t(bytes[1]) << 8) & ((std::uint64_t(1) << kLanes) - 1);
+}
+
+/// Bits of the lanes that hold samples [first, first + kLanes) of a block.
+FIRSTHIT_PURE std::uint64_t lane_bits(std::uint64_t samples, int first)
+{
+    return (samples >> first) & ((std::uint64_t(1) << kLanes) - 1);
+}
+
+/// Table lookups. The indices must be inside the table in every lane.
+FIRSTHIT_PURE real gather(const float* table, integer index)
+{
+    return real(hn::GatherIndex(RealTag(), table, index.lanes));
+}
+FIRSTHIT_PURE integer gather(const std::uint32_t* table, integer index)
+{
+    return integer(
+        hn::GatherIndex(IntegerTag(), reinterpret_cast<const std::int32_t*>(table), index.lanes));
+}
+
+#include "base/real_vectors.inl"
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

@@ -1,0 +1,33 @@
+// film_planes.h - from tiles of samples to the planes of the film.
+#pragma once
+
+#include "cpu/frame.h"
+
+namespace firsthit {
+
+/// Where a tile lies in the picture.
+struct TilePlace {
+    const ViewMemory& view;
+    Region part;   // the pixels that the view's pencil covers
+    Region region; // the pixels that the film covers
+    int samples;   // on a pixel's side
+    int tile;
+};
+
+/// Points the targets that are asked for at memory for one tile, the others at null.
+void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs);
+
+/// Gives the planes that are asked for their size. Allocates only where the film grows.
+void resize(Film& film, int width, int height, bool color, std::span<const Aov> aovs);
+
+/// Empties the planes that are not asked for.
+void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
+
+/// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples,
+/// summed in a fixed order. The other planes need samples = 1.
+void store_tile(const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film);
+
+/// Samples with an item.
+std::uint64_t count_hits(const HitTile& hits);
+
+} // namespace firsthit

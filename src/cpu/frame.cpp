@@ -1,0 +1,142 @@
+// frame.cpp - the cpu engine: a picture from a posed world, tile by tile.
+#include "cpu/frame.h"
+
+#include "base/stopwatch.h"
+#include "cpu/film_planes.h"
+#include "visibility/bins.h"
+#include "visibility/project.h"
+#include "visibility/raster_tile.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace firsthit {
+namespace {
+
+/// One pass over the picture: which rays, and what is kept of them.
+struct Pass {
+    int samples = 1; // on a pixel's side
+    bool color = true;
+    std::span<const Aov> aovs;
+};
+
+/// Samples on a tile's side: whole blocks and whole pixels.
+int tile_samples(int tile_size, int samples)
+{
+    const int step = std::lcm(kBlock, samples);
+    return std::min((tile_size + step - 1) / step * step, kMaxTile / step * step);
+}
+
+/// Triangles to the tiles of one part of the picture.
+void see_triangles(const World& world, const View& view, const Region& part, int samples,
+    int tile_size, ViewMemory& memory, Tasks& tasks)
+{
+    memory.pencil = pencil_of(view, part, samples);
+    memory.tile_size = tile_size;
+    memory.tiles_x = (memory.pencil.width + tile_size - 1) / tile_size;
+    memory.tiles_y = (memory.pencil.height + tile_size - 1) / tile_size;
+    const int longest = std::max(memory.pencil.width, memory.pencil.height);
+    memory.tile_of.resize(std::size_t(longest));
+    for (int k = 0; k < longest; ++k)
+        memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
+    project_vertices(world.position, memory, tasks);
+    bin_triangles(world.scene->index, memory, tasks);
+}
+
+/// Items, hits and colours of one part of the picture, each tile while it is in cache.
+void render_part(const World& world, const View& view, const Region& part, const Pass& pass,
+    int tile_size, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+{
+    Stopwatch watch;
+    see_triangles(world, view, part, pass.samples, tile_size, memory.view, tasks);
+    stats.setup_ms += watch.lap_ms();
+
+    tasks.for_each(std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
+        TileWorker& worker = *memory.workers[number];
+        Stopwatch lap;
+        raster_tile(memory.view, int(tile), worker.items); // which triangle does each sample see?
+        worker.raster_ms += lap.lap_ms();
+        const HitTile hits = resolve_tile(memory.view, worker.items, worker.hits); // where exactly?
+        worker.resolve_ms += lap.lap_ms();
+        shade_tile(hits, world, worker.shade.targets); // what colour is it?
+        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits,
+            worker.shade.targets, film);
+        worker.shade_ms += lap.lap_ms();
+        worker.counts.uncertain += worker.items.counts.uncertain;
+        worker.counts.ambiguous += worker.items.counts.ambiguous;
+        worker.counts.effort.exact_calls += worker.items.counts.effort.exact_calls;
+        worker.hit_count += count_hits(hits);
+    });
+    stats.in_view += memory.view.in_view_count;
+    stats.tile_entries += memory.view.entry_count;
+}
+
+/// Prepares every worker's tile memory, and the planes of the film that the pass fills.
+void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& memory, Tasks& tasks,
+    Film& film)
+{
+    while (int(memory.workers.size()) < tasks.threads())
+        memory.workers.push_back(std::make_unique<TileWorker>());
+    for (const auto& worker : memory.workers) {
+        resize(worker->items, tile_size);
+        resize(worker->hits, tile_size);
+        resize(worker->shade, tile_size, pass.color, pass.aovs);
+    }
+    resize(film, view.region.width, view.region.height, pass.color, pass.aovs);
+}
+
+void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
+    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+{
+    const int tile = tile_samples(tile_size, pass.samples);
+    prepare(pass, tile, view, memory, tasks, film);
+    // Parts small enough for the boxes' and tiles' integers, in whole tiles.
+    const int step = std::min(kMaxPencil, 255 * tile) / tile * tile / pass.samples;
+    const Region& all = view.region;
+    for (int y = 0; y < all.height; y += step) {
+        for (int x = 0; x < all.width; x += step) {
+            const Region part{all.x + x, all.y + y, std::min(step, all.width - x),
+                std::min(step, all.height - y)};
+            render_part(world, view, part, pass, tile, memory, tasks, film, stats);
+        }
+    }
+}
+
+/// Moves the workers' times and counts to the statistics.
+void collect(FrameMemory& memory, int threads, Stats& stats)
+{
+    for (const auto& worker : memory.workers) {
+        stats.raster_ms += worker->raster_ms / threads;
+        stats.resolve_ms += worker->resolve_ms / threads;
+        stats.shade_ms += worker->shade_ms / threads;
+        stats.uncertain_lanes += worker->counts.uncertain;
+        stats.ambiguous_lanes += worker->counts.ambiguous;
+        stats.exact_calls += worker->counts.effort.exact_calls;
+        stats.hits += worker->hit_count;
+        worker->raster_ms = worker->resolve_ms = worker->shade_ms = 0;
+        worker->counts = {};
+        worker->hit_count = 0;
+    }
+}
+
+} // namespace
+
+void render_frame(const World& world, const View& view, const Settings& settings,
+    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+{
+    film.width = view.region.width;
+    film.height = view.region.height;
+    clear_unused(film, settings.color, settings.aovs);
+    // Planes are of the ray through the pixel's centre: with several samples they are a second pass.
+    const bool together = settings.samples == 1;
+    const std::span<const Aov> aovs = settings.aovs;
+    if (settings.color || together)
+        render_pass(world, view,
+            {settings.samples, settings.color, together ? aovs : std::span<const Aov>()},
+            settings.tile_size, memory, tasks, film, stats);
+    if (!together && !aovs.empty())
+        render_pass(world, view, {1, false, aovs}, settings.tile_size, memory, tasks, film, stats);
+    collect(memory, tasks.threads(), stats);
+}
+
+} // namespace firsthit

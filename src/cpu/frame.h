@@ -1,0 +1,44 @@
+// frame.h - the cpu engine: a picture from a posed world, tile by tile.
+#pragma once
+
+#include "base/tasks.h"
+#include "hits/resolve_tile.h"
+#include "shade/shade_tile.h"
+#include "visibility/item_tile.h"
+#include "visibility/view_memory.h"
+
+#include <firsthit/render.h>
+
+#include <memory>
+#include <vector>
+
+namespace firsthit {
+
+/// What shading writes before it goes to the film, in tile order.
+struct ShadeMemory {
+    Buffer<float> plane; // (planes, size * size)
+    ShadeTargets targets;
+};
+
+/// What one worker needs to make a tile.
+struct TileWorker {
+    ItemTile items{};
+    HitMemory hits;
+    ShadeMemory shade;
+    double raster_ms = 0, resolve_ms = 0, shade_ms = 0;
+    TileCounts counts;
+    std::uint64_t hit_count = 0;
+};
+
+/// Everything a frame needs, allocated once and reused.
+struct FrameMemory {
+    ViewMemory view;
+    std::vector<std::unique_ptr<TileWorker>> workers;
+};
+
+/// Renders the view's region into the film and adds to the statistics. `settings` and `view` are
+/// checked (render/check_settings.h); view.region is filled in.
+void render_frame(const World& world, const View& view, const Settings& settings,
+    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats);
+
+} // namespace firsthit

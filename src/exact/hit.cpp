@@ -1,0 +1,166 @@
+// hit.cpp - the answers that the double filters leave open.
+#include "exact/hit.h"
+
+#include "exact/expansion.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace firsthit {
+namespace {
+
+using glm::vec3;
+
+struct Product2 {
+    double plus, minus; // plus - minus, both exact products of two floats
+};
+
+/// The components of a x b as differences of exact products.
+std::array<Product2, 3> cross_terms(const vec3& a, const vec3& b)
+{
+    return {{{double(a.y) * double(b.z), double(a.z) * double(b.y)},
+        {double(a.z) * double(b.x), double(a.x) * double(b.z)},
+        {double(a.x) * double(b.y), double(a.y) * double(b.x)}}};
+}
+
+/// d . (a x b): six products of a product and a float, two components each.
+template <int N>
+void add_volume(Expansion<N>& sum, const vec3& a, const vec3& b, const vec3& d)
+{
+    const auto n = cross_terms(a, b);
+    for (int axis = 0; axis < 3; ++axis) {
+        sum.add_product(n[std::size_t(axis)].plus, double(d[axis]));
+        sum.add_product(n[std::size_t(axis)].minus, -double(d[axis]));
+    }
+}
+
+Expansion<12> volume(const Corners& c)
+{
+    Expansion<12> sum;
+    add_volume(sum, c[1], c[2], c[0]);
+    sum.compress();
+    return sum;
+}
+
+/// N . d, which is the sum of the three edges.
+Expansion<36> determinant(const Corners& c, const vec3& d)
+{
+    Expansion<36> sum;
+    add_volume(sum, c[0], c[1], d);
+    add_volume(sum, c[1], c[2], d);
+    add_volume(sum, c[2], c[0], d);
+    sum.compress();
+    return sum;
+}
+
+/// A triangle's 1/t in doubles as a quotient, with bounds of the errors.
+struct InverseDepth {
+    double det, volume;             // both positive
+    double det_error, volume_error; // absolute
+};
+
+InverseDepth inverse_depth(const Corners& c, const vec3& d)
+{
+    const double e1x = double(c[1].x) - double(c[0].x), e1y = double(c[1].y) - double(c[0].y),
+                 e1z = double(c[1].z) - double(c[0].z);
+    const double e2x = double(c[2].x) - double(c[0].x), e2y = double(c[2].y) - double(c[0].y),
+                 e2z = double(c[2].z) - double(c[0].z);
+    const double dx = d.x, dy = d.y, dz = d.z;
+    const double det = ((e1y * e2z - e1z * e2y) * dx + (e1z * e2x - e1x * e2z) * dy) +
+        (e1x * e2y - e1y * e2x) * dz;
+    const double det_size = (std::abs(e1y * e2z) + std::abs(e1z * e2y)) * std::abs(dx) +
+        (std::abs(e1z * e2x) + std::abs(e1x * e2z)) * std::abs(dy) +
+        (std::abs(e1x * e2y) + std::abs(e1y * e2x)) * std::abs(dz);
+
+    const auto n = cross_terms(c[1], c[2]);
+    double volume = 0, volume_size = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double term = double(c[0][axis]) * (n[std::size_t(axis)].plus - n[std::size_t(axis)].minus);
+        volume += term;
+        volume_size += std::abs(term);
+    }
+    // det: two differences, a product, a difference, a product, two sums; volume: four roundings.
+    return {std::abs(det), std::abs(volume), 10 * kUlp * det_size, 8 * kUlp * volume_size};
+}
+
+/// The same three points, in whatever order.
+bool same_points(Corners a, Corners b)
+{
+    const auto less = [](const vec3& p, const vec3& q) {
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    std::sort(a.begin(), a.end(), less);
+    std::sort(b.begin(), b.end(), less);
+    return a == b;
+}
+
+} // namespace
+
+int exact_edge_sign(const vec3& a, const vec3& b, const vec3& d, bool displaced)
+{
+    Expansion<12> sum;
+    add_volume(sum, a, b, d);
+    if (sum.sign() != 0 || !displaced) return sum.sign();
+    // The products are exact and rounding is monotone, so the difference has the right sign.
+    for (const Product2& n : cross_terms(a, b)) {
+        if (n.plus > n.minus) return 1;
+        if (n.plus < n.minus) return -1;
+    }
+    return 0;
+}
+
+int compare_depth_fast(const Corners& a, const Corners& b, const vec3& d)
+{
+    // a is nearer where det_a / volume_a > det_b / volume_b.
+    const InverseDepth ia = inverse_depth(a, d), ib = inverse_depth(b, d);
+    const double left = ia.det * ib.volume, right = ib.det * ia.volume;
+    const double error = (ia.det_error * ib.volume + ia.det * ib.volume_error +
+                             ib.det_error * ia.volume + ib.det * ia.volume_error +
+                             ia.det_error * ib.volume_error + ib.det_error * ia.volume_error) *
+            (1 + 16 * kUlp) +
+        4 * kUlp * (left + right);
+    if (left - right > error) return -1;
+    if (right - left > error) return 1;
+    return 0;
+}
+
+int compare_depth(const Corners& a, const Corners& b, const vec3& d, Effort& effort)
+{
+    if (const int certain = compare_depth_fast(a, b, d)) return certain;
+    if (same_points(a, b)) return 0;
+
+    ++effort.exact_calls;
+    const auto det_a = determinant(a, d), det_b = determinant(b, d);
+    const auto volume_a = volume(a), volume_b = volume(b);
+    // Compressed sizes: a determinant of floats within a few octaves has two or three components.
+    Expansion<2 * 2 * 36 * 12> sum;
+    sum.add_product(det_a, volume_b, double(volume_b.sign() * det_a.sign()));
+    sum.add_product(det_b, volume_a, -double(volume_a.sign() * det_b.sign()));
+    return -sum.sign();
+}
+
+bool are_coplanar(const Corners& a, const Corners& b)
+{
+    if (same_points(a, b)) return true;
+    for (const vec3& p : b) {
+        Expansion<48> height; // N . p - N . v0, N . v0 = volume
+        height.add(determinant(a, p));
+        const auto base = volume(a);
+        for (int i = 0; i < base.size(); ++i) height.add(-base[i]);
+        if (height.sign() != 0) return false;
+    }
+    return true;
+}
+
+double hit_depth(const Corners& c, const vec3& d)
+{
+    const InverseDepth i = inverse_depth(c, d);
+    return i.volume / i.det;
+}
+
+double exact_inverse_depth(const Corners& c, const vec3& d)
+{
+    return std::abs(determinant(c, d).estimate() / volume(c).estimate());
+}
+
+} // namespace firsthit

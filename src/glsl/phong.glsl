@@ -1,0 +1,54 @@
+// phong.glsl - the light that a point sends to the eye.
+//
+// source  Phong 1975, "Illumination for Computer Generated Pictures"
+
+/// A unit vector along d. d = 0 gives 0.
+FIRSTHIT_PURE real3 unit(real3 d)
+{
+    real length2 = dot(d, d);
+    return d * mix(real(0.0f), 1.0f / sqrt(length2), length2 > real(0.0f));
+}
+
+/// The unit shading normal: the interpolated normal n, bent just so far that the eye sees it.
+///
+/// n         on the eye's side of the triangle's plane (its side was chosen with the plane's)
+/// geometric the plane's unit normal, towards the eye; the answer where n is 0 or points away
+FIRSTHIT_PURE real3 visible_normal(real3 n, real3 geometric, real3 to_eye)
+{
+    real3 bent = n - to_eye * min(dot(n, to_eye), 0.0f);
+    real length2 = dot(bent, bent);
+    real inv = 1.0f / sqrt(max(length2, 1.0e-12f));
+    // Below a millionth of a unit normal only rounding is left of the direction.
+    return real3(mix(geometric.x, bent.x * inv, length2 > real(1.0e-12f)),
+        mix(geometric.y, bent.y * inv, length2 > real(1.0e-12f)),
+        mix(geometric.z, bent.z * inv, length2 > real(1.0e-12f)));
+}
+
+/// N.L, or 0 where the light is behind the shading normal or behind the triangle's plane.
+FIRSTHIT_PURE real lit_cosine(real3 n, real3 geometric, real3 to_light)
+{
+    return mix(real(0.0f), max(dot(n, to_light), 0.0f), dot(geometric, to_light) > real(0.0f));
+}
+
+/// (R.V)^shininess, or 0 where `cosine`, the lit_cosine of the same point, is 0.
+///
+/// whole  the exponent if it is whole and small (the error grows with it), else -1
+FIRSTHIT_PURE real highlight(
+    real3 n, real3 to_eye, real3 to_light, real cosine, int whole, real shininess)
+{
+    real r_v = 2.0f * cosine * dot(n, to_eye) - dot(to_light, to_eye);
+    real base = min(max(r_v, 0.0f), 1.0f);
+    real power = real(0.0f);
+    if (whole >= 0)
+        power = steady_pow_whole(base, whole);
+    else
+        power = steady_pow(base, shininess);
+    return mix(real(0.0f), power, cosine > real(0.0f));
+}
+
+/// What one light adds.
+FIRSTHIT_PURE real3 reflected(
+    real3 light, real3 diffuse, real cosine, real3 specular, real glint)
+{
+    return light * (diffuse * cosine + specular * glint);
+}

@@ -1,0 +1,58 @@
+// hit_position-inl.h - the points in world space that a register of samples sees.
+#if defined(FIRSTHIT_HITS_HIT_POSITION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_HITS_HIT_POSITION_INL_H_
+#undef FIRSTHIT_HITS_HIT_POSITION_INL_H_
+#else
+#define FIRSTHIT_HITS_HIT_POSITION_INL_H_
+#endif
+
+#include "base/simd_real-inl.h"
+#include "hits/block_samples.h"
+#include "hits/hit_tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+#include "glsl/hit_position.glsl"
+
+FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
+{
+    return real3(v.x, v.y, v.z);
+}
+
+/// The rays of one block of a tile.
+struct BlockRays {
+    real x0, y0; // of the block's first sample
+    real inv_f;
+    real3 eye, right, down, forward;
+};
+
+FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
+{
+    const std::uint32_t blocks_x = static_cast<std::uint32_t>(hits.size / kBlock);
+    const TileFrame& frame = hits.frame;
+    BlockRays rays;
+    // Exact, as are all sample positions: multiples of 1/2 below 2^22.
+    rays.x0 = frame.x0 + static_cast<float>(block % blocks_x * kBlock);
+    rays.y0 = frame.y0 + static_cast<float>(block / blocks_x * kBlock);
+    rays.inv_f = frame.inv_f;
+    rays.eye = from_glm(frame.eye);
+    rays.right = from_glm(frame.world_from_eye[0]);
+    rays.down = from_glm(frame.world_from_eye[1]);
+    rays.forward = from_glm(frame.world_from_eye[2]);
+    return rays;
+}
+
+/// Of the samples [first, first + kLanes) of the block.
+FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
+{
+    return ray_direction(rays.x0 + load(kBlockSamplesXY.x + first),
+        rays.y0 + load(kBlockSamplesXY.y + first), rays.inv_f, rays.right, rays.down, rays.forward);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

@@ -1,0 +1,116 @@
+// brute.cpp - the oracle: every ray against every triangle.
+#include "rays/brute.h"
+
+#include <firsthit/scene.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+namespace firsthit {
+namespace {
+
+/// The nearest of the triangles seen so far.
+void keep_nearest(const EyeTriangles& triangles, std::uint32_t candidate, const glm::vec3& d,
+    std::uint32_t& best, Effort& effort)
+{
+    if (best == kNoItem) {
+        best = candidate;
+        return;
+    }
+    const int order = compare_depth(triangles[candidate], triangles[best], d, effort);
+    if (order < 0 || (order == 0 && candidate < best)) best = candidate;
+}
+
+/// One edge in doubles: a x b, times the triangle's facing.
+struct EdgePlane {
+    double x, y, z;
+
+    /// 1, -1, or 0 where the double filter cannot tell.
+    int side(double dx, double dy) const
+    {
+        const double px = x * dx, py = y * dy;
+        const double e = (px + py) + z;
+        if (std::abs(e) <= 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(z))) return 0;
+        return e > 0 ? 1 : -1;
+    }
+};
+
+/// A triangle that has a facing, with its three edges positive inside.
+struct FacedTriangle {
+    std::uint32_t id;
+    std::array<EdgePlane, 3> edge;
+};
+
+EdgePlane edge_plane(const glm::vec3& a, const glm::vec3& b, double facing)
+{
+    const auto cross = [&](int i, int j) {
+        return facing * (double(a[i]) * double(b[j]) - double(a[j]) * double(b[i]));
+    };
+    return {cross(1, 2), cross(2, 0), cross(0, 1)};
+}
+
+std::vector<FacedTriangle> face(const EyeTriangles& triangles)
+{
+    Effort effort;
+    std::vector<FacedTriangle> faced;
+    for (std::size_t t = 0; t < triangles.index.size(); ++t) {
+        const Corners c = triangles[t];
+        if (!usable(c)) continue;
+        const int facing = volume_sign(c, effort);
+        if (facing == 0) continue;
+        faced.push_back({std::uint32_t(t), {edge_plane(c[0], c[1], facing),
+            edge_plane(c[1], c[2], facing), edge_plane(c[2], c[0], facing)}});
+    }
+    return faced;
+}
+
+void cast_row(const EyeTriangles& triangles, const std::vector<FacedTriangle>& faced,
+    const Pencil& pencil, int y, std::span<std::uint32_t> row)
+{
+    Effort effort;
+    std::fill(row.begin(), row.end(), kNoItem);
+    const double dy = pencil.y0 + y, first = pencil.x0, last = pencil.x0 + pencil.width - 1;
+    for (const FacedTriangle& triangle : faced) {
+        bool missed = false;
+        for (const EdgePlane& edge : triangle.edge)
+            missed |= edge.side(first, dy) < 0 && edge.side(last, dy) < 0;
+        if (missed) continue;
+        for (int x = 0; x < pencil.width; ++x) {
+            const double dx = pencil.x0 + x;
+            const int a = triangle.edge[0].side(dx, dy), b = triangle.edge[1].side(dx, dy),
+                      c = triangle.edge[2].side(dx, dy);
+            if (a < 0 || b < 0 || c < 0) continue;
+            const glm::vec3 d{float(dx), float(dy), 1.0f};
+            if (!(a > 0 && b > 0 && c > 0) && !is_hit(triangles[triangle.id], d, effort)) continue;
+            keep_nearest(triangles, triangle.id, d, row[std::size_t(x)], effort);
+        }
+    }
+}
+
+} // namespace
+
+std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effort& effort)
+{
+    std::uint32_t best = kNoItem;
+    for (std::size_t t = 0; t < triangles.index.size(); ++t)
+        if (is_hit(triangles[t], d, effort))
+            keep_nearest(triangles, std::uint32_t(t), d, best, effort);
+    return best;
+}
+
+void cast_brute(const EyeTriangles& triangles, const Pencil& pencil, std::span<std::uint32_t> items,
+    Tasks& tasks, const std::function<void(double)>& progress)
+{
+    const std::vector<FacedTriangle> faced = face(triangles);
+    std::atomic<int> done{0};
+    tasks.for_each(std::size_t(pencil.height), [&](std::size_t y, std::size_t worker) {
+        const std::size_t width = std::size_t(pencil.width);
+        cast_row(triangles, faced, pencil, int(y), items.subspan(y * width, width));
+        const int rows = ++done;
+        if (progress && worker == 0) progress(double(rows) / pencil.height);
+    });
+}
+
+} // namespace firsthit

@@ -1,0 +1,51 @@
+// check_settings.cpp - refuses what cannot be rendered, with what is accepted.
+#include "render/check_settings.h"
+
+#include "exact/pencil.h"
+
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
+namespace firsthit {
+
+namespace {
+
+constexpr int kMaxSize = 65536;
+constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28;
+constexpr int kMaxSamples = 16;
+
+} // namespace
+
+View checked(const View& view)
+{
+    if (view.width < 1 || view.height < 1 || view.width > kMaxSize || view.height > kMaxSize)
+        throw ArgumentError(fmt::format("picture size {}x{} is out of range: 1x1 to {}x{}",
+            view.width, view.height, kMaxSize, kMaxSize));
+    View filled = view;
+    Region& region = filled.region;
+    if (region.width == 0) region.width = view.width - region.x;
+    if (region.height == 0) region.height = view.height - region.y;
+    if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+        region.width > view.width - region.x || region.height > view.height - region.y)
+        throw ArgumentError(fmt::format("region {}x{} at ({}, {}) does not lie in the picture, "
+                                        "which is {}x{}",
+            region.width, region.height, region.x, region.y, view.width, view.height));
+    if (std::int64_t(region.width) * region.height > kMaxPixels)
+        throw ArgumentError(fmt::format("{}x{} pixels are too many at once: at most {}",
+            region.width, region.height, kMaxPixels));
+    pencil_of(filled, region, 1); // checks the camera
+    return filled;
+}
+
+void check(const Settings& settings)
+{
+    if (settings.samples < 1 || settings.samples > kMaxSamples)
+        throw ArgumentError(fmt::format(
+            "{} samples is out of range: 1 to {}", settings.samples, kMaxSamples));
+    if (settings.tile_size < 8 || settings.tile_size > 128 || settings.tile_size % 8 != 0)
+        throw ArgumentError(fmt::format(
+            "tile size {} is not accepted: a multiple of 8 from 8 to 128", settings.tile_size));
+}
+
+} // namespace firsthit

@@ -1,0 +1,96 @@
+// compare.cpp - holds the item buffer against other ray casters, each disagreement settled exactly.
+#include "base/tasks.h"
+#include "cpu/frame.h"
+#include "rays/brute.h"
+#ifdef FIRSTHIT_EMBREE
+#include "rays/embree_caster.h"
+#endif
+#include "render/check_settings.h"
+#include "visibility/project.h"
+
+#include <firsthit/compare.h>
+#include <firsthit/error.h>
+
+#include <atomic>
+
+namespace firsthit {
+namespace {
+
+std::vector<std::uint32_t> cast(Oracle oracle, const EyeTriangles& triangles, const Pencil& pencil,
+    Tasks& tasks, const std::function<void(double)>& progress)
+{
+    std::vector<std::uint32_t> items(std::size_t(pencil.width) * std::size_t(pencil.height));
+    if (oracle == Oracle::brute) {
+        cast_brute(triangles, pencil, items, tasks, progress);
+    } else {
+#ifdef FIRSTHIT_EMBREE
+        EmbreeCaster embree(triangles, true, false, tasks.threads());
+        embree.cast(pencil, items, {}, tasks);
+#else
+        throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
+#endif
+    }
+    return items;
+}
+
+/// Both triangles are hit by the ray, at exactly the same depth.
+bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d)
+{
+    Effort effort;
+    return a != kNoItem && b != kNoItem && is_hit(triangles[a], d, effort) &&
+        is_hit(triangles[b], d, effort) &&
+        compare_depth(triangles[a], triangles[b], d, effort) == 0;
+}
+
+} // namespace
+
+Comparison compare(const World& world, const View& view, Oracle oracle, int threads,
+    const std::function<void(double)>& progress)
+{
+    Tasks tasks(threads);
+    const View filled = checked(view);
+    Film film;
+    Stats stats;
+    FrameMemory memory;
+    Settings settings;
+    settings.color = false;
+    settings.aovs = {Aov::item};
+    render_frame(world, filled, settings, memory, tasks, film, stats);
+
+    // The oracle takes the same eye space, made here from nothing but the whole region's pencil.
+    ViewMemory eye;
+    eye.pencil = pencil_of(filled, filled.region, 1);
+    project_vertices(world.position, eye, tasks);
+    const EyeTriangles triangles{
+        eye.corner.span().first(world.position.size()), world.scene->index};
+    const std::vector<std::uint32_t> theirs =
+        cast(oracle, triangles, eye.pencil, tasks, progress);
+
+    Comparison result;
+    result.pixels = theirs.size();
+    std::atomic<std::uint64_t> agree{0}, ties{0}, ours_wrong{0}, theirs_wrong{0};
+    tasks.for_ranges(theirs.size(), 4096, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const std::uint32_t a = film.item[i], b = theirs[i];
+            if (a == b) {
+                ++agree;
+                continue;
+            }
+            const std::size_t width = std::size_t(eye.pencil.width);
+            const glm::vec3 d{float(eye.pencil.x0 + double(i % width)),
+                float(eye.pencil.y0 + double(i / width)), 1.0f};
+            Effort effort;
+            if (cast_brute(triangles, d, effort) != a)
+                ++ours_wrong;
+            else
+                ++(is_tie(triangles, a, b, d) ? ties : theirs_wrong);
+        }
+    });
+    result.agree = agree;
+    result.ties = ties;
+    result.ours_wrong = ours_wrong;
+    result.theirs_wrong = theirs_wrong;
+    return result;
+}
+
+} // namespace firsthit

@@ -1,0 +1,60 @@
+// background-inl.h - fills the samples that see nothing.
+#if defined(FIRSTHIT_SHADE_BACKGROUND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_SHADE_BACKGROUND_INL_H_
+#undef FIRSTHIT_SHADE_BACKGROUND_INL_H_
+#else
+#define FIRSTHIT_SHADE_BACKGROUND_INL_H_
+#endif
+
+#include "base/simd_real-inl.h"
+#include "hits/hit_tile.h"
+#include "shade/shade_tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+/// Writes `value` to the given samples of a block.
+HWY_INLINE void fill_samples(float* block, std::uint64_t samples, float value)
+{
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t bits = lane_bits(samples, first);
+        if (bits == lane_bits(~std::uint64_t(0), 0))
+            store(value, block + first);
+        else if (bits != 0)
+            store_where(truth_of_bits(bits), value, block + first);
+    }
+}
+
+/// The background's colour where no run has a sample, 0 in the other planes.
+inline void fill_background(
+    const HitTile& hits, const glm::vec3& background, const ShadeTargets& targets)
+{
+    constexpr int kMaxBlocks = (kMaxTile / kBlock) * (kMaxTile / kBlock);
+    const int blocks = (hits.size / kBlock) * (hits.size / kBlock);
+    std::uint64_t covered[kMaxBlocks];
+    for (int block = 0; block < blocks; ++block) covered[block] = 0;
+    for (const HitRun& run : hits.runs) covered[run.block] |= run.samples;
+
+    for (int block = 0; block < blocks; ++block) {
+        const std::uint64_t samples = ~covered[block];
+        if (samples == 0) continue;
+        const auto fill = [&](float* plane, float value) {
+            if (plane) fill_samples(plane + block * kBlockSamples, samples, value);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            fill(targets.color[axis], background[axis]);
+            fill(targets.normal[axis], 0.0f);
+            fill(targets.geometric_normal[axis], 0.0f);
+            fill(targets.position[axis], 0.0f);
+            fill(targets.albedo[axis], 0.0f);
+        }
+        for (int axis = 0; axis < 2; ++axis) fill(targets.uv[axis], 0.0f);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

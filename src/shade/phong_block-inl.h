@@ -1,0 +1,109 @@
+// phong_block-inl.h - lights the samples of one material in a block.
+#if defined(FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
+#undef FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
+#else
+#define FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
+#endif
+
+#include "shade/sample_texture-inl.h"
+#include "shade/phong_exponent.h"
+#include "shade/shade_tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+/// What the samples of a tile share.
+struct TileShade {
+    const HitTile& hits;
+    const World& world;
+    const ShadeTargets& targets;
+    const float* linear; // see srgb_table.h
+};
+
+FIRSTHIT_PURE void store3_where(truth chosen, real3 a, float* const (&plane)[3], std::size_t at)
+{
+    if (!plane[0]) return;
+    store_where(chosen, a.x, plane[0] + at);
+    store_where(chosen, a.y, plane[1] + at);
+    store_where(chosen, a.z, plane[2] + at);
+}
+
+/// Ambient light and that of all lights.
+HWY_INLINE real3 phong(const TileShade& tile, const Material& material, real3 position,
+    real3 normal, real3 geometric, real3 to_eye, real3 texture)
+{
+    const Scene& scene = *tile.world.scene;
+    const real3 diffuse = from_glm(material.diffuse) * texture;
+    const real3 specular = from_glm(material.specular);
+    const bool glossy = material.specular != glm::vec3(0);
+    const PhongExponent exponent = phong_exponent(material.shininess);
+
+    real3 color = from_glm(material.ambient * scene.ambient) * texture;
+    for (const PointLight& light : tile.world.lights) {
+        const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
+        const real cosine = lit_cosine(normal, geometric, to_light);
+        const real glint =
+            !glossy ? real(0.0f)
+                    : highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
+        color = color + reflected(from_glm(light.color), diffuse, cosine, specular, glint);
+    }
+    return color;
+}
+
+/// Writes all targets for the given samples of a block, which share a material.
+HWY_INLINE void shade_samples(const TileShade& tile, std::uint32_t block, std::uint32_t material_id,
+    std::uint64_t samples, const BlockSurface& surface)
+{
+    const ShadeTargets& targets = tile.targets;
+    const Scene& scene = *tile.world.scene;
+    const Material& material = scene.materials[material_id];
+    const Texture* texture = scene.uv.empty() ? nullptr : texture_of(scene, material);
+    const BlockRays rays = block_rays(tile.hits, block);
+
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t bits = lane_bits(samples, first);
+        if (bits == 0) continue;
+        const truth chosen = truth_of_bits(bits);
+        const std::size_t at = std::size_t(block) * kBlockSamples + std::size_t(first);
+
+        const real3 direction = ray_direction(rays, first);
+        const real3 position = hit_position(rays.eye, direction, load(tile.hits.t + at));
+        store3_where(chosen, position, targets.position, at);
+
+        const real3 geometric(load(surface.geometric[0] + first),
+            load(surface.geometric[1] + first), load(surface.geometric[2] + first));
+        store3_where(chosen, geometric, targets.geometric_normal, at);
+
+        const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
+        const real3 interpolated(load(surface.normal[0] + first), load(surface.normal[1] + first),
+            load(surface.normal[2] + first));
+        const real3 normal = visible_normal(interpolated, geometric, to_eye);
+        store3_where(chosen, normal, targets.normal, at);
+
+        const real u = load(surface.uv[0] + first);
+        const real v = load(surface.uv[1] + first);
+        if (targets.uv[0]) {
+            store_where(chosen, u, targets.uv[0] + at);
+            store_where(chosen, v, targets.uv[1] + at);
+        }
+
+        if (!targets.color[0] && !targets.albedo[0]) continue;
+        real3 texture_color(1.0f, 1.0f, 1.0f);
+        if (texture)
+            texture_color =
+                sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
+        store3_where(chosen, from_glm(material.diffuse) * texture_color, targets.albedo, at);
+        if (targets.color[0])
+            store3_where(chosen,
+                phong(tile, material, position, normal, geometric, to_eye, texture_color),
+                targets.color, at);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

@@ -1,0 +1,14 @@
+// bins.h - triangles to the tiles that they may meet.
+#pragma once
+
+#include "base/tasks.h"
+#include "visibility/view_memory.h"
+
+namespace firsthit {
+
+/// Sorts the triangles by tile: fills memory.entry and memory.tile_start from memory.corner and
+/// memory.box. Conservative: a triangle that hits a sample is among the entries of the sample's
+/// tile, with a box that holds the sample. Within a tile the entries are in order of their ids.
+void bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks);
+
+} // namespace firsthit

@@ -1,0 +1,63 @@
+// view_memory.h - a frame's triangles as one pencil sees them, kept from frame to frame.
+#pragma once
+
+#include "base/buffer.h"
+#include "exact/pencil.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace firsthit {
+
+/// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
+/// corners' boxes is its own box, and empty where first > last. 8 bytes, so that three loads and two
+/// minima do.
+struct VertexBox {
+    std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
+    std::int16_t first_y;
+    std::int16_t minus_last_x; // minus the last sample at or left of it, in [-(width - 1), 1]
+    std::int16_t minus_last_y;
+
+    /// In first_x: the vertex has no projection, its triangles take the careful way.
+    static constexpr std::int16_t kBehind = -1;
+};
+static_assert(sizeof(VertexBox) == 8);
+
+/// A triangle that may hit a sample: its samples, ends included. 12 bytes.
+struct InView {
+    std::uint32_t triangle;
+    std::int16_t x0, y0, x1, y1;
+};
+
+/// A triangle in a tile: its samples inside the tile, ends included. 8 bytes.
+struct TileEntry {
+    std::uint32_t triangle;
+    std::uint8_t x0, y0, x1, y1;
+};
+
+struct ViewMemory {
+    Pencil pencil;
+    int tile_size = 64;
+    int tiles_x = 0;
+    int tiles_y = 0;
+    std::span<const glm::uvec3> index;
+
+    Buffer<glm::vec4> corner;   // (V) eye space; w unused. See Pencil
+    Buffer<VertexBox> box;      // (V)
+    Buffer<InView> in_view;     // (T) room; each range of triangles fills the start of its part
+    Buffer<TileEntry> entry;    // (entries) by tile, then by triangle
+    Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
+    Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
+    Buffer<std::uint32_t> cursor;      // (ranges, tiles)
+    Buffer<std::uint8_t> tile_of;      // sample -> tile number on one axis
+
+    std::uint64_t in_view_count = 0;
+    std::uint64_t entry_count = 0;
+
+    int tiles() const { return tiles_x * tiles_y; }
+};
+
+} // namespace firsthit
