@@ -60,4 +60,9 @@ void write_color(const Film& film, const std::string& path);
 /// throws  as write_color; ArgumentError where the film lacks the plane
 void write_aov(const Film& film, Aov aov, const std::string& path);
 
+/// Throws what write_color or write_aov would throw for the path alone: another ending, a folder
+/// that is missing or may not be written. For asking before a long computation; nothing is created.
+void check_color_path(const std::string& path);
+void check_aov_path(const std::string& path);
+
 } // namespace firsthit

@@ -3,6 +3,7 @@
 
 #include <firsthit/compare.h>
 #include <firsthit/error.h>
+#include <firsthit/file.h>
 #include <firsthit/film.h>
 #include <firsthit/render.h>
 #include <firsthit/scene.h>

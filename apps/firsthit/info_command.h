@@ -1,0 +1,29 @@
+// info_command.h - `firsthit info`: what is in a scene.
+#pragma once
+
+#include "json.h"
+#include "scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace firsthit::cli {
+
+struct InfoOptions {
+    SceneOptions scene;
+    bool json = false;
+};
+
+void add_info_options(CLI::App& app, InfoOptions& options);
+
+/// What is in a scene whose world is posed.
+Json describe(const Scene& scene, const World& world, const std::string& name);
+
+/// The same for people.
+std::string info_text(const Json& info);
+
+/// returns  an exit code
+int run_info(const InfoOptions& options);
+
+} // namespace firsthit::cli

@@ -1,0 +1,83 @@
+// main.cpp - the program `firsthit`: parses, calls, reports.
+#include "compare_command.h"
+#include "info_command.h"
+#include "output.h"
+#include "render_command.h"
+#include "usage.h"
+
+#include <firsthit/render.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace firsthit::cli {
+
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  firsthit render builtin:torus -o torus.png
+  firsthit info bunny.stl
+  firsthit compare builtin:torus --against brute
+
+`firsthit COMMAND --help` tells more.)";
+
+int fail(int exit_code, const std::string& message)
+{
+    std::fprintf(stderr, "firsthit: %s\n", message.c_str());
+    return exit_code;
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Ray-traced pictures of moving triangle scenes, exact to the pixel.", "firsthit");
+    app.set_version_flag("--version", "firsthit " + version());
+    app.require_subcommand(1);
+    app.footer(kFooter);
+
+    RenderOptions render;
+    InfoOptions info;
+    CompareOptions compare;
+    CLI::App* render_command = app.add_subcommand("render", "Make pictures and planes of a scene");
+    CLI::App* info_command = app.add_subcommand("info", "Tell what is in a scene");
+    CLI::App* compare_command =
+        app.add_subcommand("compare", "Hold the item buffer against another ray caster");
+    add_render_options(*render_command, render);
+    add_info_options(*info_command, info);
+    add_compare_options(*compare_command, compare);
+
+    try {
+        app.parse(argc, argv);
+        if (*render_command) return run_render(render);
+        if (*info_command) return run_info(info);
+        return run_compare(compare);
+    } catch (const CLI::CallForHelp&) {
+        print(app.help());
+    } catch (const CLI::CallForVersion&) {
+        print(app.version() + "\n");
+    } catch (const CLI::ParseError& error) {
+        return fail(kExitUsage, fmt::format("{}\nRun firsthit --help for more.", error.what()));
+    }
+    return kExitDone;
+}
+
+} // namespace
+
+} // namespace firsthit::cli
+
+int main(int argc, char** argv)
+{
+    using namespace firsthit::cli;
+    try {
+        return run(argc, argv);
+    } catch (const UsageError& error) {
+        return fail(kExitUsage, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(kExitFailed, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(kExitFailed, error.what());
+    }
+}

@@ -1,0 +1,207 @@
+#!/usr/bin/env bash
+# cli_test.sh - the program as a user meets it: exit codes, messages, files. Usage: cli_test.sh PROGRAM
+set -uo pipefail
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+checks=0
+failures=0
+
+fail()
+{
+    echo "FAILED: $1"
+    failures=$((failures + 1))
+}
+
+# expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr ("" for any).
+expect()
+{
+    local code=$1 pattern=$2 actual=0
+    shift 2
+    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
+    checks=$((checks + 1))
+    [ "$actual" -eq "$code" ] || fail "firsthit $*: exit code $actual, not $code: $(head -c 300 stderr)"
+    [ -z "$pattern" ] || grep -qE -- "$pattern" stdout stderr || \
+        fail "firsthit $*: no '$pattern' in: $(head -c 300 stdout stderr)"
+    if [ "$code" -ne 0 ] && [ "$code" -lt 100 ] && [ -s stderr ]; then
+        head -n 1 stderr | grep -q '^firsthit: ' || fail "firsthit $*: an error without 'firsthit: '"
+    fi
+}
+
+# expect_files NAME... : exactly these beside the test's own.
+expect_files()
+{
+    local found expected=""
+    [ $# -eq 0 ] || expected=$(printf "%s\n" "$@" | sort | tr "\n" " ")
+    found=$(find . -mindepth 1 ! -name stdout ! -name stderr ! -path './input*' -printf '%P\n' | sort | tr '\n' ' ')
+    checks=$((checks + 1))
+    [ "$found" = "$expected" ] || fail "files: '$found', not '$*'"
+    find . -mindepth 1 ! -name stdout ! -name stderr ! -path './input*' -delete
+}
+
+# starts FILE BYTES : the file's first bytes, in hexadecimal.
+starts()
+{
+    checks=$((checks + 1))
+    [ "$(od -An -tx1 -N $((${#2} / 2)) "$1" | tr -d ' \n')" = "$2" ] || fail "$1 does not start with $2"
+}
+
+mkdir -p input/folder.png
+
+# --- what it does -----------------------------------------------------------------------------
+expect 0 'render.*Make pictures' --help
+expect 0 'Usage: firsthit render' render --help
+expect 0 'Usage: firsthit info' info --help
+expect 0 'ours_wrong' compare --help
+expect 0 '^[^ ]*firsthit [0-9]+\.[0-9]+\.[0-9]+$' --version
+
+expect 0 '' render builtin:torus -o a.png --size 33x17
+[ ! -s stderr ] || fail "a render that goes well prints on stderr: $(head -c 300 stderr)"
+starts a.png 89504e470d0a1a0a0000000d494844520000002100000011
+expect_files a.png
+expect 0 '' render builtin:torus -o a.exr --size 8x8
+starts a.exr 762f3101
+expect_files a.exr
+expect 0 '' render builtin:torus --size 8x4 --aov item=i.npy --aov depth=d.npy --aov uv=uv.exr \
+    --aov normal=n.npy --aov geometric_normal=g.exr --aov position=p.npy --aov albedo=al.exr \
+    --aov distance=t.exr --aov item=i.exr
+starts i.npy 934e554d5059
+grep -qa "'<u4'.*(4, 8)" i.npy || fail "i.npy has another type or shape"
+grep -qa "'<f4'.*(4, 8, 3)" n.npy || fail "n.npy has another type or shape"
+expect_files i.npy d.npy uv.exr n.npy g.exr p.npy al.exr t.exr i.exr
+expect 0 '' render builtin:robots --size 8x8 --frames 0:2:3 -o f_%03d.png --aov item=f_%03d.npy
+expect_files f_000.png f_001.png f_002.png f_000.npy f_001.npy f_002.npy
+expect 0 'tile entries' render builtin:torus --size 16x16 --stats
+expect 0 '"exact_calls"' render builtin:torus --size 16x16 --stats-json -
+expect 0 '' render builtin:torus --size 16x16 --stats-json s.json
+grep -q '"raster_ms"' s.json || fail "s.json has no raster_ms"
+expect_files s.json
+expect 0 '' render builtin:torus -o a.png --size 16x16 --eye -.5,3,4 --at 0,0,0 --up 0,1,0 --fov 30
+expect 0 '' render builtin:torus -o b.png --size 16x16 --eye 0,5,0 --threads 2 --samples 3 --time 1
+expect_files a.png b.png
+expect 0 '' render builtin:torus -o /dev/null --size 16x16
+[ -c /dev/null ] || fail "/dev/null is no device any more"
+
+# The same picture for any number of threads and size of tiles.
+expect 0 '' render builtin:robots -o a.png --size 100x75 --time 3 --threads 1
+expect 0 '' render builtin:robots -o b.png --size 100x75 --time 3 --threads 3 --tile-size 8
+cmp -s a.png b.png || fail "the picture depends on threads or tiles"
+expect_files a.png b.png
+
+expect 0 '^.*triangles +1024$' info builtin:torus
+expect 0 '"triangles": 1024' info builtin:torus --json
+expect 0 'bounds' info builtin:robots
+expect 0 'ours wrong +0$' compare builtin:torus --against brute --size 32x32
+expect 0 '"ours_wrong": 0' compare builtin:torus --against brute --size 40x30 --json
+grep -q '"pixels": 1200,' stdout || fail "compare counts other pixels than 40x30"
+expect 0 '"pixels": 512' compare builtin:torus --against brute --size 16x16 --frames 0:1:2 --json
+[ ! -s stderr ] || fail "a progress bar in a pipe"
+
+# --- wrong usage ------------------------------------------------------------------------------
+expect 2 'subcommand' 
+expect 2 '' nonsense
+expect 2 'SCENE' render
+expect 2 'nothing is asked for' render builtin:torus
+expect 2 '' render builtin:torus -o a.png --nonsense
+expect 2 '' render builtin:torus extra -o a.png
+for size in 0x0 0x5 5x0 -1x5 100000x100000 65537x1 12xx x 12 '' 1x2x3 1.5x2 ax2 99999999999999999999x1; do
+    expect 2 '--size.*accepted is WIDTHxHEIGHT' render builtin:torus -o a.png --size "$size"
+    expect 2 '--size' compare builtin:torus --against brute --size "$size"
+done
+for value in 0 17 -1 two 1.5; do
+    expect 2 '--samples' render builtin:torus -o a.png --samples "$value"
+done
+for value in -1 1025 many; do
+    expect 2 '--threads' render builtin:torus -o a.png --threads "$value"
+done
+for value in 0 180 -10 nan wide; do
+    expect 2 '--fov' render builtin:torus -o a.png --fov "$value"
+done
+for value in 1,2 1,2,3,4 a,b,c nan,0,0 '' 1,,2; do
+    expect 2 '--eye' render builtin:torus -o a.png --eye "$value"
+done
+expect 2 'coincide' render builtin:torus -o a.png --eye 1,1,1 --at 1,1,1
+expect 2 'parallel' render builtin:torus -o a.png --eye 0,0,5 --at 0,0,0 --up 0,0,1
+expect 2 '--time' render builtin:torus -o a.png --time inf
+expect 2 'excludes' render builtin:torus -o %d.png --time 1 --frames 0:1:2
+for value in 0:1 0:1:0 0:1:-5 0:1:2:3 a:b:c 0:1:4000000000 nan:1:2; do
+    expect 2 '--frames' render builtin:torus -o %d.png --frames "$value"
+done
+for name in a.png %s.png %n.png %d%d.png %999999999d.png '%1$d.png' %.png; do
+    expect 2 'exactly one place' render builtin:torus --frames 0:1:2 -o "$name"
+done
+expect 2 'say which with --frames' render builtin:torus -o a_%04d.png
+expect 2 'accepted are .png and .exr' render builtin:torus -o a.jpg
+expect 2 'accepted are .png and .exr' render builtin:torus -o a
+expect 2 'accepted are .exr and .npy' render builtin:torus --aov depth=a.png
+expect 2 'accepted are item, depth' render builtin:torus --aov colour=a.exr
+expect 2 'NAME=FILE' render builtin:torus --aov depth
+expect 2 'written twice' render builtin:torus -o a.exr --aov depth=a.exr
+expect 2 '--against' compare builtin:torus
+expect 2 'accepted are brute and embree' compare builtin:torus --against guessing
+expect_files
+
+# --- what fails -------------------------------------------------------------------------------
+expect 1 'input/missing.ply' render input/missing.ply -o a.png
+expect 1 'input/missing.ply' info input/missing.ply
+expect 1 'input/missing.ply' compare input/missing.ply --against brute
+for ending in aff nff ply stl obj; do
+    : >"input/empty.$ending"
+    head -c 4096 /dev/urandom >"input/garbage.$ending"
+    expect 1 "input/empty.$ending" render "input/empty.$ending" -o a.png
+    expect 1 "input/garbage.$ending" render "input/garbage.$ending" -o a.png
+done
+expect 1 '' render input -o a.png
+expect 1 '' render input/scene.unknown -o a.png
+expect 1 '' render '' -o a.png
+expect 1 'builtin:' render builtin:nonsense -o a.png
+expect 1 '' render 'builtin:wave?n=0' -o a.png
+expect 1 '' render 'builtin:wave?n=4000000000' -o a.png
+expect 1 "folder 'none' does not exist" render builtin:torus -o none/a.png
+expect 1 "folder 'none' does not exist" render builtin:torus --aov item=none/a.npy
+expect 1 "folder 'none' does not exist" render builtin:torus --stats-json none/a.json
+expect 1 'Is a directory' render builtin:torus -o input/folder.png
+expect_files
+
+# A full disk, by device and by a link that has an ending.
+for name in png exr npy json; do ln -s /dev/full "input/full.$name"; done
+expect 1 '/dev/full: cannot write: No space left' render builtin:torus --size 16x16 -o /dev/full
+expect 1 'full.exr: cannot write: No space left' render builtin:torus --size 16x16 -o input/full.exr
+expect 1 'full.exr: cannot write: No space left' render builtin:torus --size 16x16 --aov uv=input/full.exr
+expect 1 'full.npy: cannot write: No space left' render builtin:torus --size 16x16 --aov uv=input/full.npy
+expect 1 'full.json: cannot write: No space left' render builtin:torus --size 16x16 --stats-json input/full.json
+for command in 'info builtin:torus' 'render builtin:torus --size 8x8 --stats' '--version' '--help'; do
+    # shellcheck disable=SC2086 # words
+    "$program" $command >/dev/full 2>stderr
+    [ $? -eq 1 ] || fail "firsthit $command >/dev/full does not fail"
+    grep -q 'standard output: cannot write: No space left' stderr || fail "$command >/dev/full: $(cat stderr)"
+done
+expect_files
+
+# A film that no machine has the memory for is refused before anything is allocated.
+if [ "$(awk '/MemTotal/ { print int($2 / 1000000) }' /proc/meminfo)" -lt 200 ]; then
+    expect 1 'GB of memory' render builtin:torus -o a.png --size 65536x65536 --aov normal=n.exr \
+        --aov position=p.exr --aov albedo=q.exr --aov geometric_normal=g.exr
+    expect_files
+fi
+
+# Stopped in the middle of an animation, what is there is whole and nothing else is.
+"$program" render builtin:robots --frames 0:10:100000 -o f_%06d.png --size 64x64 >stdout 2>stderr &
+child=$!
+for _ in $(seq 600); do
+    [ -e f_000001.png ] && break
+    sleep 0.1
+done
+kill -INT "$child" 2>/dev/null || kill -TERM "$child"
+# A shell that runs in the background ignores SIGINT for its children.
+sleep 0.2
+kill -TERM "$child" 2>/dev/null
+wait "$child" 2>/dev/null && fail "an interrupted animation exits with 0"
+find . -name '.firsthit-*' | grep -q . && fail "an interrupted animation leaves a temporary file"
+for file in f_*.png; do
+    [ "$(tail -c 8 "$file" | od -An -tx1 | tr -d ' \n')" = 49454e44ae426082 ] || fail "$file is not whole"
+done
+
+echo "$checks checks, $failures failures"
+[ "$failures" -eq 0 ]

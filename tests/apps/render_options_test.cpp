@@ -1,0 +1,131 @@
+// render_options_test.cpp - the command line of `render`, before any scene is loaded.
+#include "apps/usage_message.h"
+#include "film/temporary_folder.h"
+#include "render_options.h"
+
+#include <firsthit/error.h>
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace firsthit::cli {
+namespace {
+
+RenderOptions parse(const std::string& line)
+{
+    RenderOptions options;
+    CLI::App app("test", "render");
+    add_render_options(app, options);
+    app.parse(line);
+    return options;
+}
+
+TEST(RenderOptions, EveryOptionArrives)
+{
+    const RenderOptions options = parse("s.aff -o a.png --time 2.5 --size 64x48 --threads 3 "
+                                        "--samples 4 --eye -1,2,3 --at 0,0,0 --up 0,0,1 --fov 60 "
+                                        "--tile-size 32 --stats --stats-json - --crease-angle 90 "
+                                        "--sphere-segments 16 --cone-segments 8");
+    EXPECT_EQ(options.scene.name, "s.aff");
+    EXPECT_EQ(options.output, "a.png");
+    EXPECT_EQ(options.time_s, 2.5);
+    EXPECT_EQ(options.camera.size.height, 48);
+    EXPECT_EQ(options.threads, 3);
+    EXPECT_EQ(options.samples, 4);
+    EXPECT_EQ(options.camera.eye, glm::dvec3(-1, 2, 3));
+    EXPECT_EQ(options.camera.up, glm::dvec3(0, 0, 1));
+    EXPECT_TRUE(options.camera.fov_y_rad.has_value());
+    EXPECT_EQ(options.tile_size, 32);
+    EXPECT_TRUE(options.stats);
+    EXPECT_EQ(options.stats_json, "-");
+    EXPECT_NEAR(options.scene.load.crease_angle_rad, 1.5707963, 1e-6);
+    EXPECT_EQ(options.scene.load.sphere_segments, 16);
+    EXPECT_EQ(options.scene.load.cone_segments, 8);
+}
+
+TEST(RenderOptions, PlanesAreCollectedAndLeaveTheSceneAlone)
+{
+    const RenderOptions options = parse("--aov item=i.npy --aov depth=d.exr s.ply");
+    EXPECT_EQ(options.scene.name, "s.ply");
+    ASSERT_EQ(options.aovs.size(), 2u);
+    EXPECT_EQ(options.aovs[1].path, "d.exr");
+    EXPECT_FALSE(render_settings(options).color);
+}
+
+TEST(RenderOptions, WrongValuesAreNamedByTheirOption)
+{
+    EXPECT_EQ(usage_message([] { parse("s -o a.png --samples 17"); }),
+        "--samples: '17' is no integer from 1 to 16");
+    for (const char* line : {"s -o a.png --size 0x0", "s -o a.png --threads -1",
+             "s -o a.png --tile-size 12", "s -o a.png --fov 180", "s -o a.png --aov depth",
+             "s -o a.png --crease-angle 181", "s -o a.png --sphere-segments 2"})
+        EXPECT_THROW(parse(line), UsageError) << line;
+}
+
+TEST(RenderOptions, WhatIsNoOptionIsRefused)
+{
+    for (const char* line : {"", "s -o", "s -o a.png --wrong", "s t -o a.png",
+             "s --time 1 --frames 0:1:2", "s --size 1x1 --size 2x2"})
+        EXPECT_THROW(parse(line), CLI::ParseError) << line;
+}
+
+TEST(RenderOptions, SomethingMustBeAskedFor)
+{
+    EXPECT_EQ(usage_message([] { check(parse("s")); }),
+        "nothing is asked for: say -o FILE, --aov NAME=FILE or --stats");
+    EXPECT_EQ(usage_message([] { check(parse("s --stats")); }), "no error");
+}
+
+TEST(RenderOptions, EndingsAreKnownBeforeTheSceneIsLoaded)
+{
+    EXPECT_EQ(usage_message([] { check(parse("s -o a.jpg")); }),
+        "a.jpg: unknown ending '.jpg' for a picture: accepted are .png and .exr");
+    EXPECT_EQ(usage_message([] { check(parse("s --aov item=a.png")); }),
+        "a.png: unknown ending '.png' for a plane: accepted are .exr and .npy");
+}
+
+TEST(RenderOptions, FoldersAreLookedForBeforeTheSceneIsLoaded)
+{
+    const TemporaryFolder folder;
+    EXPECT_THROW(check(parse("s -o " + (folder / "none/a.png"))), FileError);
+    EXPECT_THROW(check(parse("s --stats-json " + (folder / "none/a.json"))), FileError);
+    EXPECT_THROW(check(parse("s --frames 0:1:2 -o " + (folder / "none/%d.png"))), FileError);
+}
+
+TEST(RenderOptions, FramesNeedNumbersInEveryName)
+{
+    EXPECT_THROW(check(parse("s --frames 0:1:2 -o a.png")), UsageError);
+    EXPECT_THROW(check(parse("s --frames 0:1:2 -o %d.png --aov item=a.npy")), UsageError);
+    const RenderOptions options = parse("s --frames 0:1:2 -o a_%04d.png --aov item=%d.npy");
+    check(options);
+    EXPECT_EQ(file_name(options, options.output, 1), "a_0001.png");
+}
+
+TEST(RenderOptions, NumbersNeedFrames)
+{
+    EXPECT_EQ(usage_message([] { check(parse("s -o a_%04d.png")); }),
+        "'a_%04d.png' numbers frames: say which with --frames");
+}
+
+TEST(RenderOptions, NoFileIsWrittenTwice)
+{
+    EXPECT_EQ(usage_message([] { check(parse("s -o a.exr --aov depth=a.exr")); }),
+        "'a.exr' is to be written twice");
+}
+
+TEST(RenderOptions, AFilmTakesFourBytesAValue)
+{
+    EXPECT_EQ(film_bytes(parse("s -o a.png --aov normal=n.npy --size 10x10")), 2400u);
+    EXPECT_EQ(film_bytes(parse("s --stats --size 65536x65536")), 51539607552u);
+}
+
+TEST(RenderOptions, AFilmLargerThanTheMachineIsRefused)
+{
+    if (sysconf(_SC_PHYS_PAGES) > (40l << 30) / sysconf(_SC_PAGESIZE))
+        GTEST_SKIP() << "this machine has the memory";
+    EXPECT_THROW(check(parse("s -o a.png --size 65536x65536")), DeviceError);
+}
+
+} // namespace
+} // namespace firsthit::cli

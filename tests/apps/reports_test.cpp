@@ -1,0 +1,84 @@
+// reports_test.cpp - tables and JSON, and the line of the progress bar.
+#include "compare_command.h"
+#include "progress.h"
+#include "stats_report.h"
+
+#include <gtest/gtest.h>
+
+namespace firsthit::cli {
+namespace {
+
+RunReport two_frames()
+{
+    RunReport report;
+    report.scene = "builtin:torus";
+    report.width = 64;
+    report.height = 48;
+    report.samples = 2;
+    report.frames.resize(2);
+    report.frames[1].time_s = 1.5;
+    report.frames[0].stats.raster_ms = 1;
+    report.frames[1].stats.raster_ms = 3;
+    report.frames[1].stats.exact_calls = 7;
+    return report;
+}
+
+TEST(StatsReport, TheTableHasAllStagesAndCounts)
+{
+    const std::string table = stats_table(two_frames());
+    for (const char* word : {"pose", "setup", "raster", "resolve", "shade", "write", "triangles",
+             "tile entries", "uncertain lanes", "exact calls", "peak memory"})
+        EXPECT_NE(table.find(word), std::string::npos) << word;
+}
+
+TEST(StatsReport, SeveralFramesHaveAMeanAndALargest)
+{
+    EXPECT_NE(stats_table(two_frames()).find("raster                  2.00        3.00\n"),
+        std::string::npos)
+        << stats_table(two_frames());
+}
+
+TEST(StatsReport, TheJsonHasEveryFrame)
+{
+    const Json json = stats_json(two_frames());
+    ASSERT_EQ(json["frames"].size(), 2u);
+    EXPECT_EQ(json["frames"][1]["time_s"], 1.5);
+    EXPECT_EQ(json["frames"][1]["raster_ms"], 3.0);
+    EXPECT_EQ(json["frames"][1]["exact_calls"], 7);
+    EXPECT_EQ(json["width"], 64);
+}
+
+TEST(StatsReport, ANameThatIsNoUtf8IsStillJson)
+{
+    RunReport report = two_frames();
+    report.scene = "\xFF\".ply";
+    const Json back = Json::parse(to_text(stats_json(report)));
+    EXPECT_EQ(back["scene"], "\xEF\xBF\xBD\".ply");
+}
+
+TEST(CompareReport, TheJsonHasTheFiveCountsInOrder)
+{
+    const Comparison comparison{
+        .pixels = 10, .agree = 6, .ties = 3, .ours_wrong = 0, .theirs_wrong = 1};
+    EXPECT_EQ(comparison_json(comparison).dump(),
+        R"({"pixels":10,"agree":6,"ties":3,"ours_wrong":0,"theirs_wrong":1})");
+}
+
+TEST(CompareReport, CountsAreSummed)
+{
+    const Comparison a{.pixels = 1, .agree = 2, .ties = 3, .ours_wrong = 4, .theirs_wrong = 5};
+    const Comparison sum = a + a;
+    EXPECT_EQ(sum.pixels, 2u);
+    EXPECT_EQ(sum.theirs_wrong, 10u);
+}
+
+TEST(Progress, TheLineFillsUp)
+{
+    EXPECT_EQ(
+        progress_line("frames", 1, 4), "frames [##########------------------------------] 1/4");
+    EXPECT_EQ(
+        progress_line("frames", 4, 4), "frames [########################################] 4/4");
+}
+
+} // namespace
+} // namespace firsthit::cli

@@ -1,0 +1,38 @@
+// film_test.cpp - the names of planes.
+#include <firsthit/error.h>
+#include <firsthit/film.h>
+
+#include <gtest/gtest.h>
+
+namespace firsthit {
+namespace {
+
+TEST(Film, EveryPlanesNameIsFoundAgain)
+{
+    for (int a = 0; a < kAovCount; ++a) {
+        const Aov aov = static_cast<Aov>(a);
+        EXPECT_EQ(aov_from_name(aov_name(aov)), aov);
+    }
+}
+
+TEST(Film, PlanesHaveTheDocumentedChannels)
+{
+    EXPECT_EQ(aov_channels(Aov::item), 1);
+    EXPECT_EQ(aov_channels(Aov::uv), 2);
+    EXPECT_EQ(aov_channels(Aov::albedo), 3);
+}
+
+TEST(Film, AnUnknownNameIsAnErrorThatListsTheNames)
+{
+    try {
+        aov_from_name("colour");
+        FAIL() << "no error";
+    } catch (const ArgumentError& error) {
+        EXPECT_STREQ(error.what(),
+            "unknown plane 'colour': accepted are item, depth, distance, uv, "
+            "normal, geometric_normal, position, albedo");
+    }
+}
+
+} // namespace
+} // namespace firsthit
