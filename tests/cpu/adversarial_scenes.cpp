@@ -207,6 +207,30 @@ std::vector<AdversarialScene> make_scenes()
         w.add(at(-100, -100, 3), at(100, -100, 3), at(0, 200, 3));
         w.add(at(-100, -100, 5), at(100, -100, 5), at(0, 200, 5));
     });
+    add("small triangles a hair before a full layer", [](TestWorld& w, std::mt19937& r) {
+        for (int k = 0; k < 80; ++k) w.add(at(-200, -200, 4), at(200, -200, 4), at(0, 200, 4));
+        for (int k = 0; k < 400; ++k) {
+            const float z = 4 - 4 * std::pow(2.0f, float(-whole(r, 9, 21)));
+            const float x = uniform(r, -22, 22), y = uniform(r, -22, 22), half = uniform(r, .5f, 3);
+            w.add(at(x - half, y - half, z), at(x + 2 * half, y - half, z), at(x, y + 2 * half, z));
+        }
+    });
+    add("large triangles a hair before a full layer", [](TestWorld& w, std::mt19937& r) {
+        for (int k = 0; k < 80; ++k) w.add(at(-200, -200, 4), at(200, -200, 4), at(0, 200, 4));
+        for (int k = 0; k < 40; ++k) {
+            const float z = 4 - 4 * std::pow(2.0f, float(-whole(r, 9, 21)));
+            const float x = uniform(r, -22, 22), y = uniform(r, -22, 22), half = uniform(r, 9, 20);
+            w.add(at(x - half, y - half, z), at(x + 2 * half, y - half, z), at(x, y + 2 * half, z));
+        }
+    });
+    add("grazing grounds a hair apart", [](TestWorld& w, std::mt19937& r) {
+        for (int k = 0; k < 40; ++k) {
+            const float y = 1 + float(whole(r, -16, 16)) * 0x1p-18f, tilt = 0.01f;
+            const auto ground = [&](float x, float z) { return vec3(x, y + tilt * x, z); };
+            w.add(ground(-20000, uniform(r, 1, 4)), ground(20000, uniform(r, 1, 4)),
+                ground(uniform(r, -500, 500), uniform(r, 200000, 900000)));
+        }
+    });
     add("many layers, far ones first", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {
             const float z = 20 - 0.3f * float(k);
