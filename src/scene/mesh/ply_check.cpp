@@ -41,10 +41,17 @@ std::size_t check_corners(std::int64_t corners, std::size_t face, const std::str
     return corners < 3 ? 0 : static_cast<std::size_t>(corners) - 2;
 }
 
+// Assimp skips blanks and line ends after a header, even where they are a binary file's first
+// bytes.
+constexpr char kPad = 'x';
+
 /// Writes the header that Assimp is given: of two elements, with the properties it should look at.
+///
+/// unused  keep the other properties as well, and put one byte of padding in front
 std::string written_header(const PlyHeader& header, const char* format, bool unused)
 {
     std::string out = fmt::format("ply\nformat {} 1.0\n", format);
+    if (unused) out += "element pad 1\nproperty uchar unused\n";
     for (const PlyElement* const element : {&header.vertex, &header.face}) {
         out += fmt::format("element {} {}\n", element->name, element->count);
         for (const PlyProperty& property : element->properties) {
@@ -234,6 +241,8 @@ CheckedMesh check_ply(std::string bytes, const std::string& name)
         mesh.triangle_count = binary.check_faces(header.face, header.vertex.count, thin);
         mesh.bytes =
             written_header(header, big_endian ? "binary_big_endian" : "binary_little_endian", true);
+        mesh.bytes.reserve(mesh.bytes.size() + 1 + binary.consumed());
+        mesh.bytes += kPad;
         mesh.bytes += body.substr(0, binary.consumed());
     }
     warn_thin_faces(thin, name, mesh.warnings);
