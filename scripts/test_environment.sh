@@ -1,0 +1,9 @@
+# test_environment.sh - where tests find real scenes; sourced from the project's folder.
+# Tests that need a scene which is not there are skipped.
+if [ -z "${FIRSTHIT_TEST_DATA:-}" ] && [ -d ../shared/data ]; then
+    FIRSTHIT_TEST_DATA=$(cd ../shared/data && pwd)
+    export FIRSTHIT_TEST_DATA
+fi
+if [ -z "${FIRSTHIT_SCENES:-}" ] && [ -d scenes ]; then
+    export FIRSTHIT_SCENES=$PWD/scenes
+fi
