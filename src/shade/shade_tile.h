@@ -10,6 +10,12 @@ namespace firsthit {
 /// Where shading writes: linear Rec.709, tile order, 64-byte aligned, or null where nothing is asked.
 /// Samples without an item get the background's colour, and 0 in the other planes.
 struct ShadeTargets {
+    /// Whether anything is asked for.
+    bool any() const
+    {
+        return color[0] || uv[0] || normal[0] || geometric_normal[0] || position[0] || albedo[0];
+    }
+
     float* color[3] = {};
     float* uv[2] = {};
     float* normal[3] = {};
