@@ -11,13 +11,13 @@ namespace {
 std::atomic<int> allocations{0};
 } // namespace
 
-void* operator new(std::size_t size)
+// Not inlined: g++ would see malloc and free inside, miss their partners, and warn.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
     ++allocations;
     if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
     throw std::bad_alloc();
 }
-// Not inlined: g++ would take the free inside for a delete of its own and warn.
 [[gnu::noinline]] void operator delete(void* memory) noexcept
 {
     std::free(memory);
