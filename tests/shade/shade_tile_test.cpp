@@ -87,11 +87,31 @@ TEST(ShadeTile, ALightBehindThePlaneAddsNothingWhateverTheNormalsSay)
     EXPECT_EQ(ahead.color(), glm::vec3(0));
 }
 
+TEST(ShadeTile, NormalsThatOpposeTheWindingLookLikeThoseThatAgree)
+{
+    glm::vec3 color[2];
+    for (int opposed = 0; opposed < 2; ++opposed) {
+        Ahead ahead;
+        ahead.add_wall();
+        for (glm::vec3& n : ahead.world.normal) {
+            n = glm::normalize(glm::vec3(0.5f, 0, 1));
+            if (opposed) n = -n;
+        }
+        ahead.add_light({3, 4, 0});
+        color[opposed] = ahead.color();
+    }
+    EXPECT_GT(color[0].x, 0.3f);
+    EXPECT_EQ(color[0], color[1]);
+}
+
 TEST(ShadeTile, NormalsThatTurnAwayFromTheEyeAreBentToItsHorizon)
 {
     Ahead ahead;
     ahead.add_wall();
-    for (glm::vec3& n : ahead.world.normal) n = glm::normalize(glm::vec3(1, 0, -0.5f));
+    // Of the triangle ahead, only the corner nearest to the sample turns away.
+    ahead.world.position = {{-1, -1, -10}, {100, -1, -10}, {-1, 100, -10}};
+    ahead.world.normal = {glm::normalize(glm::vec3(1, 0, -0.5f)), {0, 0, 1}, {0, 0, 1}};
+    ahead.scene.index = {{0, 1, 2}};
     ahead.color();
     expect_near(at(ahead.memory.targets.normal, 0, 0, 8), {1, 0, 0});
 }
