@@ -112,7 +112,8 @@ TEST(CheckScene, RefusesParentsThatComeLaterAndNumbersOutOfRange)
 TEST(CheckScene, RefusesATrackKeyThatIsNotFinite)
 {
     const std::string message = message_after([](Scene& s) {
-        s.tracks.push_back({.name = "walk"});
+        s.tracks.resize(1);
+        s.tracks[0].name = "walk";
         s.tracks[0].rotation.resize(4);
         s.tracks[0].rotation[2].value.y = std::nan("");
     });

@@ -51,7 +51,7 @@ constexpr char kPad = 'x';
 std::string written_header(const PlyHeader& header, const char* format, bool unused)
 {
     std::string out = fmt::format("ply\nformat {} 1.0\n", format);
-    if (unused) out += "element pad 1\nproperty uchar unused\n";
+    if (unused) out += "element edge 1\nproperty uchar unused\n";
     for (const PlyElement* const element : {&header.vertex, &header.face}) {
         out += fmt::format("element {} {}\n", element->name, element->count);
         for (const PlyProperty& property : element->properties) {
