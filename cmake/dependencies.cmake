@@ -15,6 +15,12 @@ firsthit_need(PNG libpng-dev)
 firsthit_need(OpenEXR libopenexr-dev)
 firsthit_need(fmt libfmt-dev)
 
+# stb comes as headers without a package file.
+find_path(FIRSTHIT_STB_INCLUDE stb/stb_image.h)
+if(NOT FIRSTHIT_STB_INCLUDE)
+    message(FATAL_ERROR "firsthit needs stb: apt-get install libstb-dev")
+endif()
+
 # Debian's hwy package exports its target under this name only.
 set(FIRSTHIT_PRIVATE_LIBRARIES TBB::tbb hwy::hwy assimp::assimp PNG::PNG OpenEXR::OpenEXR fmt::fmt)
 if(FIRSTHIT_BUILD_EMBREE)

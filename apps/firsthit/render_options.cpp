@@ -31,6 +31,7 @@ Pictures are .png (8 bit, sRGB) or .exr (float, linear); planes are .exr or .npy
   geometric_normal  of the triangle's plane, unit, world space, towards the eye
   position          world space
   albedo            diffuse colour times texture, linear
+  barycentric       u, v: weights of the triangle's corners 1 and 2
 Planes are of the ray through the pixel's centre, never blended. Row 0 is the top.
 
 FIRSTHIT_ISA in the environment (AVX2, SSE4, ...) lowers the instruction set; results stay the same.

@@ -152,15 +152,11 @@ FIRSTHIT_PURE void store(real a, float* p)
     hn::Store(a.lanes, RealTag(), p);
 }
 
-/// Writes the chosen lanes. The others are read and written back, but on AVX-512: AVX2's masked
-/// stores are microcode on AMD.
+/// Writes the chosen lanes; the others are read and written back. As fast as AVX-512's masked store
+/// (measured), and AVX2's is microcode on AMD.
 FIRSTHIT_PURE void store_where(truth chosen, real a, float* p)
 {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-    hn::BlendedStore(a.lanes, chosen.lanes, RealTag(), p);
-#else
     store(mix(load(p), a, chosen), p);
-#endif
 }
 
 /// The kLanes lowest bits as lanes, bit 0 in lane 0.

@@ -2,9 +2,10 @@
 #include "cpu/film_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <type_traits>
 
 namespace firsthit {
 namespace {
@@ -28,32 +29,33 @@ PixelRect pixels_of(const TilePlace& place)
         std::min(side, place.part.width - x), std::min(side, place.part.height - y)};
 }
 
-/// Calls f(pixel in the film, offset in the tile) for runs of at most 4 pixels of a row; samples = 1.
+/// Calls f(pixel in the film, offset in the tile, count) for runs of 4 pixels of a row, or fewer at
+/// the picture's edge; samples = 1. count is a constant 4 in all calls but the last of a row.
 template <class F> void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
 {
     for (int y = 0; y < rect.height; ++y) {
-        const std::size_t row = std::size_t(rect.film_y + y) * std::size_t(film_width);
-        for (int x = 0; x < rect.width; x += 4)
-            f(row + std::size_t(rect.film_x + x), tile_offset(x, y, tile_size),
-                std::min(4, rect.width - x));
+        std::size_t pixel =
+            std::size_t(rect.film_y + y) * std::size_t(film_width) + std::size_t(rect.film_x);
+        int x = 0;
+        for (; x + 4 <= rect.width; x += 4, pixel += 4)
+            f(pixel, tile_offset(x, y, tile_size), std::integral_constant<int, 4>());
+        if (x < rect.width) f(pixel, tile_offset(x, y, tile_size), rect.width - x);
     }
 }
 
-template <int kChannels>
+template <std::size_t kChannels, class T>
 void copy_plane(const PixelRect& rect, int film_width, int tile_size,
-    const float* const (&from)[kChannels], Plane& to)
+    const std::array<const T*, kChannels>& from, T* to)
 {
-    float* value = to.value.data();
-    for_quads(rect, film_width, tile_size, [&](std::size_t pixel, int offset, int count) {
-        for (int k = 0; k < count; ++k)
-            for (int c = 0; c < kChannels; ++c)
-                value[(pixel + std::size_t(k)) * kChannels + std::size_t(c)] = from[c][offset + k];
+    for_quads(rect, film_width, tile_size, [&](std::size_t pixel, int offset, auto count) {
+        for (std::size_t k = 0; k < std::size_t(count); ++k)
+            for (std::size_t c = 0; c < kChannels; ++c)
+                to[(pixel + k) * kChannels + c] = from[c][std::size_t(offset) + k];
     });
 }
 
 /// The mean colour of each pixel's samples.
-void average_color(const PixelRect& rect, const TilePlace& place, const float* const (&from)[3],
-    Film& film)
+void average_color(const PixelRect& rect, const TilePlace& place, const std::array<const float*, 3>& from, Film& film)
 {
     const int n = place.samples;
     const float share = 1.0f / float(n * n);
@@ -63,7 +65,7 @@ void average_color(const PixelRect& rect, const TilePlace& place, const float* c
             for (int sy = 0; sy < n; ++sy) {
                 for (int sx = 0; sx < n; ++sx) {
                     const int offset = tile_offset(x * n + sx, y * n + sy, place.view.tile_size);
-                    for (int c = 0; c < 3; ++c) sum[c] += from[c][offset];
+                    for (std::size_t c = 0; c < 3; ++c) sum[c] += from[c][offset];
                 }
             }
             const std::size_t pixel = std::size_t(rect.film_y + y) * std::size_t(film.width) +
@@ -73,35 +75,36 @@ void average_color(const PixelRect& rect, const TilePlace& place, const float* c
     }
 }
 
+/// Euclidean distances from depths along the axis.
+void store_distance(const PixelRect& rect, const HitTile& hits, int film_width, float* to)
+{
+    const double inv_f = hits.frame.inv_f;
+    const int blocks_x = hits.size / kBlock;
+    for_quads(rect, film_width, hits.size, [&](std::size_t pixel, int offset, int count) {
+        for (int k = 0; k < count; ++k, ++pixel, ++offset) {
+            const int in_block = offset % kBlockSamples, block = offset / kBlockSamples;
+            const int x = block % blocks_x * kBlock + block_x(in_block);
+            const int y = block / blocks_x * kBlock + block_y(in_block);
+            const double dx = (double(hits.frame.x0) + x) * inv_f;
+            const double dy = (double(hits.frame.y0) + y) * inv_f;
+            to[pixel] = float(hits.t[offset] * std::sqrt(1 + dx * dx + dy * dy));
+        }
+    });
+}
+
 /// Planes that come from the hit itself.
 void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
 {
-    const auto none = std::numeric_limits<float>::infinity();
-    std::uint32_t* item = film.item.empty() ? nullptr : film.item.data();
-    const auto plane = [&](Aov a) { return film[a].empty() ? nullptr : film[a].value.data(); };
-    float* depth = plane(Aov::depth);
-    float* distance = plane(Aov::distance);
-    float* barycentric = plane(Aov::barycentric);
-    if (!item && !depth && !distance && !barycentric) return;
-    const double inv_f = hits.frame.inv_f;
-    for_quads(rect, film.width, hits.size, [&](std::size_t pixel, int offset, int count) {
-        for (int k = 0; k < count; ++k, ++pixel, ++offset) {
-            const bool hit = hits.item[offset] != kNoItem;
-            if (item) item[pixel] = hits.item[offset];
-            if (depth) depth[pixel] = hit ? hits.t[offset] : none;
-            if (barycentric) {
-                barycentric[2 * pixel] = hit ? hits.u[offset] : 0.0f;
-                barycentric[2 * pixel + 1] = hit ? hits.v[offset] : 0.0f;
-            }
-            if (distance) {
-                const int in_block = offset % kBlockSamples, block = offset / kBlockSamples;
-                const int blocks_x = hits.size / kBlock;
-                const double x = (double(hits.frame.x0) + block % blocks_x * kBlock + block_x(in_block)) * inv_f;
-                const double y = (double(hits.frame.y0) + block / blocks_x * kBlock + block_y(in_block)) * inv_f;
-                distance[pixel] = hit ? float(hits.t[offset] * std::sqrt(1 + x * x + y * y)) : none;
-            }
-        }
-    });
+    const int width = film.width, size = hits.size;
+    if (!film.item.empty())
+        copy_plane<1, std::uint32_t>(rect, width, size, {hits.item}, film.item.data());
+    if (!film[Aov::depth].empty())
+        copy_plane<1, float>(rect, width, size, {hits.t}, film[Aov::depth].value.data());
+    if (!film[Aov::barycentric].empty())
+        copy_plane<2, float>(
+            rect, width, size, {hits.u, hits.v}, film[Aov::barycentric].value.data());
+    if (!film[Aov::distance].empty())
+        store_distance(rect, hits, width, film[Aov::distance].value.data());
 }
 
 } // namespace
@@ -153,21 +156,26 @@ void clear_unused(Film& film, bool color, std::span<const Aov> aovs)
 void store_tile(const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film)
 {
     const PixelRect rect = pixels_of(place);
-    const auto copy = [&]<int kChannels>(float* const (&from)[kChannels], Plane& to) {
-        if (!from[0]) return;
-        const auto& planes = reinterpret_cast<const float* const(&)[kChannels]>(from);
-        copy_plane<kChannels>(rect, film.width, hits.size, planes, to);
+    const auto copy2 = [&](const float* const* from, Plane& to) {
+        if (from[0])
+            copy_plane<2, float>(rect, film.width, hits.size, {from[0], from[1]}, to.value.data());
     };
-    if (place.samples == 1)
-        copy(shaded.color, film.color);
-    else if (shaded.color[0])
+    const auto copy3 = [&](const float* const* from, Plane& to) {
+        if (from[0])
+            copy_plane<3, float>(
+                rect, film.width, hits.size, {from[0], from[1], from[2]}, to.value.data());
+    };
+    if (place.samples == 1) {
+        copy3(shaded.color, film.color);
+        store_hits(rect, hits, film);
+    } else if (shaded.color[0]) {
         average_color(rect, place, {shaded.color[0], shaded.color[1], shaded.color[2]}, film);
-    copy(shaded.uv, film[Aov::uv]);
-    copy(shaded.normal, film[Aov::normal]);
-    copy(shaded.geometric_normal, film[Aov::geometric_normal]);
-    copy(shaded.position, film[Aov::position]);
-    copy(shaded.albedo, film[Aov::albedo]);
-    if (place.samples == 1) store_hits(rect, hits, film);
+    }
+    copy2(shaded.uv, film[Aov::uv]);
+    copy3(shaded.normal, film[Aov::normal]);
+    copy3(shaded.geometric_normal, film[Aov::geometric_normal]);
+    copy3(shaded.position, film[Aov::position]);
+    copy3(shaded.albedo, film[Aov::albedo]);
 }
 
 std::uint64_t count_hits(const HitTile& hits)

@@ -23,6 +23,7 @@ constexpr AovShape kShapes[kAovCount] = {
     {"geometric_normal", 3},
     {"position", 3},
     {"albedo", 3},
+    {"barycentric", 2},
 };
 
 } // namespace

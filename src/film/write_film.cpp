@@ -60,6 +60,8 @@ std::vector<std::string> channel_names(Aov aov)
         return {"P.X", "P.Y", "P.Z"};
     case Aov::albedo:
         return {"albedo.R", "albedo.G", "albedo.B"};
+    case Aov::barycentric:
+        return {"barycentric.U", "barycentric.V"};
     }
     return {};
 }

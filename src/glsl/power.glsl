@@ -38,11 +38,11 @@ FIRSTHIT_PURE real steady_exp2(real y)
     return series * intBitsToFloat(shift_left_23(whole_to_integer(whole) + 127));
 }
 
-/// x^exponent for x in [0, 1] and exponent > 0. Error below 1e-6 of 1 where the exponent is below
-/// 10^6, and below 2e-6 of the result where that is above 1e-6.
+/// x^exponent for exponent > 0 and x in [0, 1], 0 or normal. Error below 1e-6, and below 3e-6 of
+/// the result where that is above 1e-6.
 FIRSTHIT_PURE real steady_pow(real x, real exponent)
 {
-    real y = max(exponent * steady_log2(max(x, 1.0e-30f)), -126.0f);
+    real y = max(exponent * steady_log2(max(x, 1.17549435e-38f)), -126.0f);
     real power = mix(real(0.0f), steady_exp2(y), y > real(-126.0f));
     return mix(real(0.0f), power, x > real(0.0f));
 }

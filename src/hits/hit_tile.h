@@ -29,8 +29,8 @@ struct TileFrame {
     glm::mat3 world_from_eye{1}; // columns: right, down, forward; orthonormal
 };
 
-/// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. Only the
-/// samples of a run are defined, but all memory may be read and written.
+/// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. A sample
+/// without an item has t = +inf, u = v = 0.
 struct HitTile {
     int size = 64; // samples on a side
     TileFrame frame;

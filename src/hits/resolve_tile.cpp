@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -50,13 +51,23 @@ HWY_INLINE std::uint64_t samples_with(const std::uint32_t* items, std::uint32_t 
     return samples;
 }
 
-/// Finds the runs of all blocks. Returns how many.
-std::size_t find_runs(const ItemTile& items, HitRun* runs)
+void fill_misses(int block, HitMemory& memory)
 {
+    const int first = block * kBlockSamples;
+    std::fill_n(memory.t.data() + first, kBlockSamples, std::numeric_limits<float>::infinity());
+    std::fill_n(memory.u.data() + first, kBlockSamples, 0.0f);
+    std::fill_n(memory.v.data() + first, kBlockSamples, 0.0f);
+}
+
+/// Finds the runs of all blocks, and marks the samples that are in none. Returns how many.
+std::size_t find_runs(const ItemTile& items, HitMemory& memory)
+{
+    HitRun* runs = memory.run.data();
     HitRun* next = runs;
     for (int block = 0; block < items.blocks(); ++block) {
         const std::uint32_t* item = items.item.data() + block * kBlockSamples;
         std::uint64_t rest = ~samples_with(item, kNoItem);
+        if (~rest) fill_misses(block, memory);
         while (rest) {
             const std::uint32_t id = item[std::countr_zero(rest)];
             const std::uint64_t samples = samples_with(item, id);
@@ -178,7 +189,7 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, HitMemory& me
         sample_x[k] = float(block_x(k));
         sample_y[k] = float(block_y(k));
     }
-    const std::size_t count = find_runs(items, memory.run.data());
+    const std::size_t count = find_runs(items, memory);
     RunBatch batch{};
     for (std::size_t first = 0; first < count; first += kRuns) {
         const auto runs =

@@ -1,4 +1,5 @@
 // compare.cpp - holds the item buffer against other ray casters, each disagreement settled exactly.
+#include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
 #include "rays/brute.h"
@@ -47,6 +48,7 @@ bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, con
 Comparison compare(const World& world, const View& view, Oracle oracle, int threads,
     const std::function<void(double)>& progress)
 {
+    select_instruction_set();
     Tasks tasks(threads);
     const View filled = checked(view);
     Film film;

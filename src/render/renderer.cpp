@@ -1,4 +1,5 @@
 // renderer.cpp - the public renderer: poses, checks, and hands the frame to the engine.
+#include "base/instruction_set.h"
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -13,7 +14,7 @@
 namespace firsthit {
 
 struct Renderer::Impl {
-    explicit Impl(int threads) : tasks(threads) {}
+    explicit Impl(int threads) : tasks(threads) { select_instruction_set(); }
 
     void frame(const World& world, const View& view, const Settings& settings, Film& film)
     {
@@ -29,7 +30,7 @@ struct Renderer::Impl {
     }
 
     Tasks tasks;
-    World world;
+    World posed;
     FrameMemory memory;
     Stats stats;
 };
@@ -42,9 +43,9 @@ void Renderer::render(const Scene& scene, double time_s, const View& view, const
 {
     Stopwatch total, watch;
     impl_->stats = {};
-    pose(scene, time_s, impl_->world, impl_->tasks);
+    pose(scene, time_s, impl_->posed, impl_->tasks);
     impl_->stats.pose_ms = watch.lap_ms();
-    impl_->frame(impl_->world, view, settings, film);
+    impl_->frame(impl_->posed, view, settings, film);
     impl_->stats.total_ms = total.lap_ms();
 }
 

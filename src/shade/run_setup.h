@@ -1,6 +1,7 @@
 // run_setup.h - what all samples of one triangle share, fetched and worked out once a run.
 #pragma once
 
+#include "base/pure.h"
 #include "hits/hit_tile.h"
 
 #include <firsthit/scene.h>
@@ -61,7 +62,8 @@ inline const Texture* texture_of(const Scene& scene, const Material& material)
 }
 
 /// In double, so that neither tiny nor huge triangles lose their normal to float's range.
-inline RunSetup set_up_run(const ShadeArrays& arrays, std::uint32_t item, const TileFrame& frame)
+FIRSTHIT_PURE RunSetup set_up_run(
+    const ShadeArrays& arrays, std::uint32_t item, const TileFrame& frame)
 {
     RunSetup run;
     run.material = arrays.scene->parts[arrays.scene->owner[item]].material;
@@ -78,11 +80,15 @@ inline RunSetup set_up_run(const ShadeArrays& arrays, std::uint32_t item, const 
     const double length = std::sqrt(glm::dot(n, n));
     if (length > 0) run.geometric = glm::vec3(n * (side / length));
 
+    // Normals go by the plane's side, not by the winding, which in real files opposes some of them.
     if (arrays.normal) {
-        const float flip = static_cast<float>(side);
-        run.normal.at0 = arrays.normal[corner.x] * flip;
-        run.normal.to1 = arrays.normal[corner.y] * flip - run.normal.at0;
-        run.normal.to2 = arrays.normal[corner.z] * flip - run.normal.at0;
+        const glm::vec3 n0 = arrays.normal[corner.x];
+        const glm::vec3 n1 = arrays.normal[corner.y];
+        const glm::vec3 n2 = arrays.normal[corner.z];
+        const float flip = glm::dot(n0 + n1 + n2, run.geometric) < 0 ? -1.0f : 1.0f;
+        run.normal.at0 = n0 * flip;
+        run.normal.to1 = (n1 - n0) * flip;
+        run.normal.to2 = (n2 - n0) * flip;
     }
     if (arrays.uv) {
         run.uv.at0 = arrays.uv[corner.x];

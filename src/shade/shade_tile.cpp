@@ -85,7 +85,7 @@ HWY_EXPORT(shade);
 
 void shade_tile(const HitTile& hits, const World& world, const ShadeTargets& targets)
 {
-    HWY_DYNAMIC_DISPATCH(shade)(hits, world, targets);
+    if (targets.any()) HWY_DYNAMIC_DISPATCH(shade)(hits, world, targets);
 }
 
 } // namespace firsthit

@@ -10,6 +10,12 @@ namespace firsthit {
 /// Where shading writes: linear Rec.709, tile order, 64-byte aligned, or null where nothing is asked.
 /// Samples without an item get the background's colour, and 0 in the other planes.
 struct ShadeTargets {
+    /// Whether anything is asked for.
+    bool any() const
+    {
+        return color[0] || uv[0] || normal[0] || geometric_normal[0] || position[0] || albedo[0];
+    }
+
     float* color[3] = {};
     float* uv[2] = {};
     float* normal[3] = {};
@@ -20,6 +26,16 @@ struct ShadeTargets {
 
 /// Shades a tile: ambient, diffuse and specular light of every light, textures, two-sided.
 /// Allocates nothing, throws nothing. The same bits for every instruction set.
+///
+/// The ray of sample (x, y) at depth t gives the position (see hits/hit_position.h). Both normals
+/// look towards the eye, whatever the winding; the interpolated one is bent to the eye's horizon
+/// where it would look beyond. A light counts where it is in front of both. It does not fade with
+/// distance. A highlight's exponent below 0 counts as 0.
+///
+/// hits     runs in any order of blocks; fastest where those of a block lie side by side
+/// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels, and a
+///          level without its texels, with a side above 2^22 or 2^31 texels or more, is white
+/// limits   a light farther than 1e19 is not seen: the square of its distance is no float
 ///
 /// source  Phong 1975, "Illumination for Computer Generated Pictures"
 void shade_tile(const HitTile& hits, const World& world, const ShadeTargets& targets);

@@ -1,5 +1,5 @@
-// instruction_set.cpp - which kernels run here.
-#include "base/simd_targets.h"
+// version.cpp - what this build is.
+#include "base/instruction_set.h"
 
 #include <firsthit/render.h>
 
@@ -7,7 +7,8 @@ namespace firsthit {
 
 std::string instruction_set()
 {
-    return chosen_target_name();
+    select_instruction_set();
+    return chosen_instruction_set();
 }
 
 std::string version()

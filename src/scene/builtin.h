@@ -1,0 +1,34 @@
+// builtin.h - the scenes that the library makes itself.
+#pragma once
+
+#include <firsthit/scene.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace firsthit {
+
+/// Makes a scene by name: "torus", "robots", "wave", "wave?n=1000000" (without "builtin:").
+///
+/// throws  ArgumentError that says what is accepted: an unknown name, an unknown or repeated
+///         parameter, a value out of range
+Scene make_builtin(std::string_view name);
+
+/// A torus of 32 x 16 quads, 1,024 triangles, with smooth normals, lit and framed.
+Scene make_torus();
+
+/// Ten walking robots on a tiled ground, 10 s long, with a moving camera; 70,000 to 75,000
+/// triangles.
+Scene make_robots();
+
+inline constexpr std::uint64_t kMinWave = 2;
+inline constexpr std::uint64_t kMaxWave = 10'000'000;
+
+/// A cloth that waves for 10 s. It is a grid of columns x rows quads of two triangles each, with
+/// quads = ceil(triangles / 2), columns = floor(sqrt(quads)), rows = ceil(quads / columns). So it
+/// has at least `triangles` triangles: exactly 2 for 2, 10,082 for 10,000, and never more than
+/// 2 sqrt(triangles) + 2 above.
+/// throws  ArgumentError unless kMinWave <= triangles <= kMaxWave
+Scene make_wave(std::uint64_t triangles);
+
+} // namespace firsthit

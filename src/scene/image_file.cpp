@@ -1,0 +1,69 @@
+// image_file.cpp - reads pictures by the library stb_image and our own PPM decoder.
+#include "scene/image_file.h"
+
+#include "scene/file_text.h"
+#include "scene/mip_levels.h"
+#include "scene/pnm.h"
+
+#include <firsthit/error.h>
+
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
+
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+namespace firsthit {
+namespace {
+
+/// PNG and JPEG.
+Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
+{
+    const auto fail = [&] {
+        const char* reason = stbi_failure_reason();
+        throw FileError(name + ": not a PNG, JPEG or binary PPM picture, or a damaged one (" +
+                        (reason ? reason : "unknown reason") + ")");
+    };
+    if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
+        throw FileError(
+            name + ": a picture file of " + std::to_string(bytes.size()) + " bytes is too large");
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    int width = 0, height = 0, channels = 0;
+    // The size first: a small file can promise a picture that fills the memory.
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) fail();
+    check_picture_size(name, width, height);
+
+    const std::unique_ptr<stbi_uc, void (*)(void*)> rgba(
+        stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+    if (!rgba) fail();
+    Texture::Level level{width, height, {}};
+    level.texel.resize(std::size_t(width) * std::size_t(height));
+    for (std::size_t k = 0; k < level.texel.size(); ++k)
+        level.texel[k] = std::uint32_t(rgba.get()[4 * k]) |
+                         (std::uint32_t(rgba.get()[4 * k + 1]) << 8) |
+                         (std::uint32_t(rgba.get()[4 * k + 2]) << 16) |
+                         (std::uint32_t(rgba.get()[4 * k + 3]) << 24);
+    return level;
+}
+
+} // namespace
+
+Texture decode_texture(const std::string& name, std::span<const char> bytes)
+{
+    Texture texture;
+    texture.name = name;
+    texture.levels.push_back(is_pnm(bytes) ? decode_pnm(name, bytes) : decode_stb(name, bytes));
+    make_mip_levels(texture);
+    return texture;
+}
+
+Texture read_texture(const std::filesystem::path& path)
+{
+    const std::string bytes = read_file_text(path);
+    return decode_texture(path.string(), bytes);
+}
+
+} // namespace firsthit

@@ -1,0 +1,32 @@
+// smooth_normals.h - normals for triangles that came without.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace firsthit {
+
+struct SmoothNormals {
+    std::vector<glm::vec3> normal;     // unit
+    std::vector<std::uint32_t> corner; // (3 T) number of each triangle corner's normal
+    bool one_a_point = false;          // a normal's number is that of its point
+};
+
+/// Makes a normal for every group of triangles around a point that pass into one another across
+/// edges less sharp than the crease angle. An edge is smooth if the angle between its triangles'
+/// normals is at most that; with pi, all are. Of more than two triangles at an edge, those next to
+/// each other in file order are looked at. Triangles without area join no group; where a point has
+/// no others its normal is +z.
+///
+/// position         of each point; points are distinct
+/// index            of each triangle's corners into position
+/// crease_angle_rad 0 (flat) to pi (smooth)
+/// source           Max 1999, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2):
+///                  the weights that are right on a sphere
+SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
+    double crease_angle_rad);
+
+} // namespace firsthit

@@ -1,0 +1,34 @@
+// mesh_file.h - PLY, STL and OBJ files as scenes.
+#pragma once
+
+#include <firsthit/scene.h>
+
+#include <filesystem>
+#include <string>
+
+namespace firsthit {
+
+/// Reads a .ply, .stl or .obj file, ascii or binary: one node, a part for each run of triangles
+/// with the same material, no lights and no camera.
+///
+/// Triangle ids are the file's order; a face of n corners is a fan of n - 2 triangles around its
+/// first corner; triangles without area keep their id. Points, lines and faces of fewer than three
+/// corners are left out with a warning. Vertices with equal position, normal and texture
+/// coordinates are one; vertices that no triangle uses are left out. Where a file has no normals
+/// they are made smooth (see mesh/smooth_normals.h); those of STL facets are not used. v of the
+/// texture coordinates counts from the picture's bottom, as in these files.
+///
+/// throws  FileError: missing, unreadable, malformed (names file and line or element)
+///         SceneError: an index out of range, a coordinate that is not finite
+Scene read_mesh_file(const std::filesystem::path& path, const LoadSettings& settings);
+
+/// The same from memory.
+///
+/// bytes      the file; freed on the way
+/// extension  ".ply", ".stl" or ".obj"
+/// name       of the file, for messages
+/// folder     where material libraries and textures are; empty: they are not read
+Scene read_mesh(std::string bytes, const std::string& extension, const std::string& name,
+    const std::filesystem::path& folder, const LoadSettings& settings);
+
+} // namespace firsthit

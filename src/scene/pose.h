@@ -1,0 +1,13 @@
+// pose.h - a scene at a time, for those who keep their threads from frame to frame.
+#pragma once
+
+#include "base/tasks.h"
+
+#include <firsthit/scene.h>
+
+namespace firsthit {
+
+/// As pose() of scene.h, on threads that the caller keeps.
+void pose(const Scene& scene, double time_s, World& world, Tasks& tasks);
+
+} // namespace firsthit

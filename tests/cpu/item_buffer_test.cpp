@@ -1,0 +1,111 @@
+// item_buffer_test.cpp - the item buffer is the brute-force ray caster, bit for bit.
+#include "base/simd_targets.h"
+
+#include "cpu/adversarial_scenes.h"
+#include "items.h"
+
+#include <hwy/highway.h>
+
+#include <bit>
+
+namespace firsthit::test {
+namespace {
+
+class ItemBuffer : public testing::TestWithParam<std::size_t> {
+  protected:
+    static constexpr int kRounds = 6;
+
+    template <class F> void for_worlds(const F& check)
+    {
+        const AdversarialScene& scene = adversarial_scenes()[GetParam()];
+        for (unsigned round = 0; round < kRounds; ++round) {
+            SCOPED_TRACE(scene.name + ", seed " + std::to_string(round));
+            std::mt19937 random(round);
+            TestWorld world;
+            scene.fill(world, random);
+            world.finish();
+            check(world, random);
+        }
+    }
+
+    const View view = straight_view(kSize, kSize, kSize);
+};
+
+TEST_P(ItemBuffer, EqualsBruteForce)
+{
+    for_worlds([&](TestWorld& world, std::mt19937&) {
+        EXPECT_EQ(differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
+    });
+}
+
+TEST_P(ItemBuffer, IsTheSameForEveryThreadCountAndTileSize)
+{
+    for_worlds([&](TestWorld& world, std::mt19937&) {
+        const auto expected = items_of(world.world, view);
+        for (const int threads : {2, 7}) EXPECT_EQ(items_of(world.world, view, threads), expected);
+        for (const int tile : {8, 16, 24, 32, 40, 128})
+            EXPECT_EQ(items_of(world.world, view, 1, tile), expected) << "tile size " << tile;
+    });
+}
+
+TEST_P(ItemBuffer, IsTheSameForEveryInstructionSet)
+{
+    for_worlds([&](TestWorld& world, std::mt19937&) {
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        const auto expected = items_of(world.world, view);
+        for (auto rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest; rest &= rest - 1) {
+            const auto target = std::int64_t(1) << std::countr_zero(rest);
+            hwy::SetSupportedTargetsForTest(target);
+            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+            EXPECT_EQ(items_of(world.world, view), expected) << hwy::TargetName(target);
+        }
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
+}
+
+TEST_P(ItemBuffer, FollowsTheTrianglesWhenTheirOrderChanges)
+{
+    for_worlds([&](TestWorld& world, std::mt19937& random) {
+        std::vector<glm::uvec3>& index = world.scene->index;
+        std::vector<std::uint32_t> order(index.size());
+        for (std::size_t k = 0; k < order.size(); ++k) order[k] = std::uint32_t(k);
+        std::shuffle(order.begin(), order.end(), random);
+        const std::vector<glm::uvec3> original = index;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            glm::uvec3 corner = original[order[k]];
+            if (random() & 1) std::swap(corner.x, corner.z); // the winding does not matter
+            if (random() & 1) corner = {corner.y, corner.z, corner.x};
+            index[k] = corner;
+        }
+        EXPECT_EQ(differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
+    });
+}
+
+TEST_P(ItemBuffer, OfARegionIsARegionOfTheItemBuffer)
+{
+    for_worlds([&](TestWorld& world, std::mt19937& random) {
+        const auto whole = items_of(world.world, view);
+        View part = view;
+        part.region.x = int(random() % 30), part.region.y = int(random() % 30);
+        part.region.width = 1 + int(random() % 18), part.region.height = 1 + int(random() % 18);
+        const auto items = items_of(world.world, part, 1, 16);
+        for (int y = 0; y < part.region.height; ++y)
+            for (int x = 0; x < part.region.width; ++x)
+                ASSERT_EQ(items[std::size_t(y * part.region.width + x)],
+                    whole[std::size_t((y + part.region.y) * kSize + x + part.region.x)]);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Adversarial, ItemBuffer,
+    testing::Range(std::size_t(0), adversarial_scenes().size()),
+    [](const testing::TestParamInfo<std::size_t>& scene) {
+        std::string name = adversarial_scenes()[scene.param].name;
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    });
+
+} // namespace
+} // namespace firsthit::test

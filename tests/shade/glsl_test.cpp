@@ -1,0 +1,59 @@
+// glsl_test.cpp - the maths text is GLSL 4.50 too, says glslangValidator where there is one.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace firsthit {
+namespace {
+
+std::string text_of(const std::string& file)
+{
+    std::ifstream in(std::string(FIRSTHIT_SOURCE_DIR) + "/src/glsl/" + file);
+    EXPECT_TRUE(in) << file;
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// A fragment shader that calls into the text, so that nothing is left unread.
+std::string shader()
+{
+    return "#version 450\n"
+           "#define FIRSTHIT_PURE\n"
+           "#define real float\n#define real2 vec2\n#define real3 vec3\n"
+           "#define integer int\n#define truth bool\n"
+           "#define shift_left_23(a) ((a) << 23)\n#define shift_right_23(a) ((a) >> 23)\n" +
+           text_of("hit_position.glsl") + text_of("power.glsl") + text_of("phong.glsl") +
+           text_of("texture.glsl") + R"(
+layout(location = 0) out vec4 color;
+void main()
+{
+    vec3 d = ray_direction(gl_FragCoord.x, gl_FragCoord.y, 0.01, vec3(1, 0, 0), vec3(0, -1, 0),
+        vec3(0, 0, -1));
+    vec3 p = hit_position(vec3(0), d, 3.0);
+    vec3 n = visible_normal(p, vec3(0, 0, 1), unit(-d));
+    float cosine = lit_cosine(n, vec3(0, 0, 1), vec3(0, 1, 0));
+    float glint = highlight(n, unit(-d), vec3(0, 1, 0), cosine, -1, 7.5)
+        + highlight(n, unit(-d), vec3(0, 1, 0), cosine, 4, 4.0);
+    Texels texels = bilinear_texels(p.x, p.y, 64.0, 32.0);
+    float level = mip_level(footprint2(p.x, p.y, 3.0, vec2(1), vec2(2), vec2(3), vec2(64)), 5.0);
+    vec3 lit = reflected(vec3(1), vec3(0.5), cosine, vec3(0.5), glint);
+    color = vec4(blend3(lit, p, blend(texels.right, texels.bottom, level)), texels.top_left);
+}
+)";
+}
+
+TEST(Glsl, TextIsAcceptedByGlslangValidator)
+{
+    if (std::system("command -v glslangValidator > /dev/null") != 0)
+        GTEST_SKIP() << "no glslangValidator (Debian package glslang-tools)";
+    const std::string file = testing::TempDir() + "firsthit_text.frag";
+    std::ofstream(file) << shader();
+    EXPECT_EQ(std::system(("glslangValidator '" + file + "'").c_str()), 0) << shader();
+}
+
+} // namespace
+} // namespace firsthit

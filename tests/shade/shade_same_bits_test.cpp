@@ -1,0 +1,131 @@
+// shade_same_bits_test.cpp - every instruction set gives the bits of the plain loop.
+#include "base/simd_targets.h"
+#include "shade/plain_shade.h"
+#include "shade/tile_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+namespace firsthit {
+namespace {
+
+/// Shades on one instruction set, as a machine without the better ones would.
+void shade_on(std::int64_t target, const TileScene& tile, const ShadeTargets& targets)
+{
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    shade_tile(tile.hits, tile.world, targets);
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+}
+
+void expect_same_bits(const TileScene& tile, const char* what)
+{
+    ShadeMemory plain;
+    plain_shade(tile.hits, tile.world, plain.targets);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        ShadeMemory memory;
+        shade_on(target, tile, memory.targets);
+        int different = 0;
+        for (int plane = 0; plane < ShadeMemory::kPlanes; ++plane)
+            for (int k = 0; k < tile.hits.size * tile.hits.size; ++k) {
+                const float a = plain.plane(plane)[k];
+                const float b = memory.plane(plane)[k];
+                if (std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b)) continue;
+                if (++different < 5)
+                    ADD_FAILURE() << what << ": plane " << plane << ", sample " << k << ": plain "
+                                  << a << ", " << hwy::TargetName(target) << " " << b;
+            }
+        EXPECT_EQ(different, 0) << hwy::TargetName(target);
+    }
+}
+
+Texture noise(int width, int height, std::mt19937& random)
+{
+    Texture texture;
+    for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        Texture::Level level{width, height, {}};
+        for (int k = 0; k < width * height; ++k)
+            level.texel.push_back(static_cast<std::uint32_t>(random()));
+        texture.levels.push_back(level);
+        if (width == 1 && height == 1) return texture;
+    }
+}
+
+glm::vec3 random_point(std::mt19937& random, float size)
+{
+    std::uniform_real_distribution<float> number(-size, size);
+    const float x = number(random), y = number(random), z = number(random);
+    return {x, y, z};
+}
+
+/// Random triangles with random normals, texture coordinates and materials.
+void fill_with_soup(TileScene& tile, std::mt19937& random)
+{
+    tile.scene.textures.push_back(noise(37, 64, random));
+    tile.scene.textures.push_back(noise(1, 1, random));
+    const float shininess[] = {0, 1, 5, 10.5f, 64, 300, 0.25f};
+    for (int k = 0; k < 60; ++k) {
+        if (k % 4 == 0) {
+            Material& material = tile.add_material();
+            material.ambient = glm::abs(random_point(random, 1));
+            material.diffuse = glm::abs(random_point(random, 1));
+            if (k % 3) material.specular = glm::abs(random_point(random, 1));
+            material.shininess = shininess[random() % 7];
+            material.texture = static_cast<std::int32_t>(random() % 3) - 1;
+        }
+        const glm::vec3 middle = random_point(random, 6) - glm::vec3(0, 0, 12);
+        const auto uv = [&] { return glm::vec2(random_point(random, 3)); };
+        tile.add_triangle(middle + random_point(random, 4), middle + random_point(random, 4),
+            middle + random_point(random, 4), uv(), uv(), uv());
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            tile.world.normal[tile.world.normal.size() - 1 - corner] =
+                glm::normalize(random_point(random, 1));
+    }
+    for (int k = 0; k < 3; ++k)
+        tile.add_light(glm::dvec3(random_point(random, 20)), glm::abs(random_point(random, 1)));
+}
+
+TEST(ShadeSameBits, OfRandomTriangles)
+{
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TileScene tile(32);
+        fill_with_soup(tile, random);
+        tile.cast();
+        ASSERT_GT(tile.runs.size(), 50u);
+        expect_same_bits(tile, "soup");
+    }
+}
+
+TEST(ShadeSameBits, OfTexturesAtTheEdgesOfFloat)
+{
+    std::mt19937 random(1);
+    for (const float repeats : {0.0f, 1e-30f, 1.0f, -1e7f, 1e9f, -1e20f, 1e30f, 1e38f}) {
+        SCOPED_TRACE(repeats);
+        TileScene tile(16);
+        tile.scene.textures.push_back(noise(64, 16, random));
+        tile.material().texture = 0;
+        tile.add_square({-20, -5, -1}, {40, 0, 0}, {0, 6, -50}, repeats);
+        tile.cast();
+        expect_same_bits(tile, "repeats");
+    }
+}
+
+TEST(ShadeSameBits, OfLightsInThePlaneAndAtThePoint)
+{
+    TileScene tile(16);
+    tile.material().specular = glm::vec3(1);
+    tile.material().shininess = 2.5f;
+    tile.add_wall();
+    tile.add_light({0.25, 0.25, -10});
+    tile.add_light({1e18, 0, 0});
+    tile.cast();
+    expect_same_bits(tile, "lights");
+}
+
+} // namespace
+} // namespace firsthit

@@ -1,0 +1,264 @@
+// texture_test.cpp - texture lookups against a plain one in double precision.
+#include "shade/tile_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace firsthit {
+namespace {
+
+double linear_of_srgb_byte(std::uint32_t byte)
+{
+    const double c = byte / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+/// Column and row count from the picture's top left, and repeat.
+glm::dvec3 texel(const Texture::Level& level, long column, long row)
+{
+    const long x = (column % level.width + level.width) % level.width;
+    const long y = (row % level.height + level.height) % level.height;
+    const std::uint32_t rgba = level.texel[std::size_t(y * level.width + x)];
+    return {linear_of_srgb_byte(rgba & 255), linear_of_srgb_byte(rgba >> 8 & 255),
+        linear_of_srgb_byte(rgba >> 16 & 255)};
+}
+
+glm::dvec3 bilinear(const Texture::Level& level, double u, double v)
+{
+    const double x = u * level.width - 0.5;
+    const double y = (1 - v) * level.height - 0.5;
+    const long x0 = long(std::floor(x)), y0 = long(std::floor(y));
+    const double right = x - double(x0), bottom = y - double(y0);
+    return (texel(level, x0, y0) * (1 - right) + texel(level, x0 + 1, y0) * right) * (1 - bottom) +
+           (texel(level, x0, y0 + 1) * (1 - right) + texel(level, x0 + 1, y0 + 1) * right) * bottom;
+}
+
+glm::dvec3 trilinear(const Texture& texture, double u, double v, double level)
+{
+    const std::size_t last = texture.levels.size() - 1;
+    const double clamped = std::min(std::max(level, 0.0), double(last));
+    const std::size_t finer = std::size_t(clamped);
+    const double amount = clamped - double(finer);
+    return bilinear(texture.levels[finer], u, v) * (1 - amount) +
+           bilinear(texture.levels[std::min(finer + 1, last)], u, v) * amount;
+}
+
+/// Every level has noise of its own, so that a wrong level shows.
+Texture noise(int width, int height, unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    Texture texture;
+    for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        Texture::Level level{width, height, {}};
+        for (int k = 0; k < width * height; ++k)
+            level.texel.push_back(static_cast<std::uint32_t>(random()));
+        texture.levels.push_back(level);
+        if (width == 1 && height == 1) return texture;
+    }
+}
+
+/// Texture coordinates at a picture position, whole or not, on the plane of a triangle.
+glm::dvec2 uv_at(const TileScene& tile, std::uint32_t triangle, double x, double y)
+{
+    const glm::dvec3 hit = tile.meet(triangle, x, y);
+    const glm::uvec3 corner = tile.scene.index[triangle];
+    return glm::dvec2(tile.scene.uv[corner.x]) * (1 - hit.y - hit.z) +
+           glm::dvec2(tile.scene.uv[corner.y]) * hit.y +
+           glm::dvec2(tile.scene.uv[corner.z]) * hit.z;
+}
+
+/// log2 of the longer side of a sample's footprint in texels, by small steps on the picture.
+double numerical_level(const TileScene& tile, std::uint32_t triangle, double x, double y)
+{
+    const double h = 1e-4;
+    const Texture::Level& level = tile.scene.textures[0].levels[0];
+    const glm::dvec2 size(level.width, level.height);
+    const auto side = [&](double dx, double dy) {
+        return glm::length(
+            size * (uv_at(tile, triangle, x + dx, y + dy) - uv_at(tile, triangle, x - dx, y - dy)) /
+            (2 * h));
+    };
+    return std::log2(std::max(side(h, 0), side(0, h)));
+}
+
+/// Compares every sample's albedo with the reference. Returns the range of levels seen.
+glm::dvec2 expect_reference(TileScene& tile, double tolerance)
+{
+    tile.material().texture = 0;
+    tile.material().diffuse = glm::vec3(1);
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, memory.targets);
+    glm::dvec2 range(1e9, -1e9);
+    for (int y = 0; y < tile.hits.size; ++y)
+        for (int x = 0; x < tile.hits.size; ++x) {
+            const std::uint32_t triangle = tile.item[tile_offset(x, y, tile.hits.size)];
+            if (triangle == kNoItem) continue;
+            const double level = numerical_level(tile, triangle, x, y);
+            range = {std::min(range.x, level), std::max(range.y, level)};
+            const glm::dvec2 uv = uv_at(tile, triangle, x, y);
+            const glm::dvec3 expected = trilinear(tile.scene.textures[0], uv.x, uv.y, level);
+            const glm::vec3 seen = at(memory.targets.albedo, x, y, tile.hits.size);
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(seen[axis], expected[axis], tolerance)
+                    << "(" << x << ", " << y << ") level " << level;
+        }
+    return range;
+}
+
+TEST(Texture, IsBilinearWhereEnlarged)
+{
+    TileScene tile(32);
+    tile.scene.textures.push_back(noise(5, 3));
+    tile.add_wall(10, 12);
+    EXPECT_LT(expect_reference(tile, 1e-5).y, 0);
+}
+
+TEST(Texture, BlendsTwoLevelsWhereReduced)
+{
+    TileScene tile(32);
+    tile.scene.textures.push_back(noise(256, 128));
+    tile.add_square({-12, -30, -10}, {24, 0, 6}, {3, 60, -40}, 3);
+    const glm::dvec2 range = expect_reference(tile, 2e-4);
+    EXPECT_GT(range.x, 0);
+    EXPECT_GT(range.y - range.x, 1);
+}
+
+TEST(Texture, TakesTheLevelOfAGrazingGroundFromItsSlope)
+{
+    // A ground that runs to the horizon: levels from enlarged to the last one.
+    TileScene tile(64, 60);
+    tile.scene.textures.push_back(noise(256, 256));
+    tile.add_square({-5000, -1, 0.5f}, {10000, 0, 0}, {0, 0, -10000}, 5000);
+    const glm::dvec2 range = expect_reference(tile, 1e-2);
+    EXPECT_LT(range.x, 4);
+    EXPECT_GT(range.y, 8);
+}
+
+TEST(Texture, IsTheLastLevelWhereReducedFurther)
+{
+    TileScene tile(8);
+    tile.scene.textures.push_back(noise(4, 4));
+    tile.add_wall(10, 100, 1e6f);
+    tile.material().texture = 0;
+    tile.material().diffuse = glm::vec3(1);
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, memory.targets);
+    const glm::vec3 last(texel(tile.scene.textures[0].levels[2], 0, 0));
+    for (int k = 0; k < 64; ++k) EXPECT_NEAR(memory.targets.albedo[0][k], last.x, 1e-6);
+}
+
+TEST(Texture, RepeatsOutsideZeroToOne)
+{
+    glm::vec3 seen[3];
+    const float shift[] = {0, -3, 7};
+    for (int i = 0; i < 3; ++i) {
+        TileScene tile(8);
+        tile.scene.textures.push_back(noise(4, 8));
+        tile.add_wall(10, 8);
+        for (glm::vec2& uv : tile.scene.uv) uv += glm::vec2(shift[i], -shift[i]);
+        expect_reference(tile, 1e-5);
+        ShadeMemory memory;
+        shade_tile(tile.hits, tile.world, memory.targets);
+        seen[i] = at(memory.targets.albedo, 2, 3, 8);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(seen[0][axis], seen[1][axis], 1e-5);
+        EXPECT_NEAR(seen[0][axis], seen[2][axis], 1e-5);
+    }
+}
+
+TEST(Texture, HasItsBottomRowAtVZero)
+{
+    // Two rows, red above green, upright on a wall: v grows upwards, as in OBJ.
+    TileScene tile(16, 16);
+    Texture texture;
+    texture.levels.push_back({1, 2, {0x0000FFu, 0x00FF00u}});
+    tile.scene.textures.push_back(texture);
+    tile.material().texture = 0;
+    tile.material().diffuse = glm::vec3(1);
+    tile.add_wall(10, 6);
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, memory.targets);
+    EXPECT_GT(at(memory.targets.albedo, 8, 4, 16).x, 0.8f) << "red above";
+    EXPECT_GT(at(memory.targets.albedo, 8, 11, 16).y, 0.8f) << "green below";
+}
+
+TEST(Texture, MultipliesAmbientAndDiffuseButNotSpecular)
+{
+    TileScene tile(8);
+    tile.hits.frame.x0 = tile.hits.frame.y0 = 0;
+    Texture texture;
+    texture.levels.push_back({1, 1, {0xFF00FFu}}); // no green
+    tile.scene.textures.push_back(texture);
+    tile.material().texture = 0;
+    tile.material().ambient = glm::vec3(0.125f);
+    tile.material().diffuse = glm::vec3(0.25f);
+    tile.material().specular = glm::vec3(0.5f);
+    tile.add_wall();
+    tile.add_light({0, 0, 0});
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, memory.targets);
+    EXPECT_EQ(at(memory.targets.color, 0, 0, 8), glm::vec3(0.875f, 0.5f, 0.875f));
+    EXPECT_EQ(at(memory.targets.albedo, 0, 0, 8), glm::vec3(0.25f, 0, 0.25f));
+}
+
+TEST(Texture, ThatIsEmptyMissingOrShortIsWhite)
+{
+    for (int fault = 0; fault < 5; ++fault) {
+        SCOPED_TRACE(fault);
+        TileScene tile(8);
+        tile.scene.textures.emplace_back();
+        tile.material().texture = fault == 0 ? 5 : 0;
+        if (fault == 2) tile.scene.textures[0].levels.push_back({2, 2, {0}});
+        if (fault == 3) tile.scene.textures[0].levels.push_back({0, 0, {}});
+        if (fault == 4) tile.scene.textures[0].levels.push_back({1 << 23, 1, {}});
+        tile.material().diffuse = glm::vec3(1);
+        tile.add_wall();
+        tile.cast();
+        ShadeMemory memory;
+        shade_tile(tile.hits, tile.world, memory.targets);
+        EXPECT_EQ(at(memory.targets.albedo, 3, 3, 8), glm::vec3(1));
+    }
+}
+
+TEST(Texture, IsIgnoredWhereTheSceneHasNoCoordinates)
+{
+    TileScene tile(8);
+    tile.scene.textures.push_back(noise(4, 4));
+    tile.material().texture = 0;
+    tile.add_wall();
+    tile.scene.uv.clear();
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, memory.targets);
+    EXPECT_EQ(at(memory.targets.albedo, 3, 3, 8), tile.material().diffuse);
+    EXPECT_EQ(memory.targets.uv[0][0], 0);
+}
+
+TEST(Texture, CoordinatesThatAreHugeOrNoNumberDoNotCrash)
+{
+    const float inf = std::numeric_limits<float>::infinity();
+    for (const float bad : {inf, -inf, std::numeric_limits<float>::quiet_NaN(), 3e38f, -3e38f}) {
+        TileScene tile(16);
+        tile.scene.textures.push_back(noise(16, 16));
+        tile.material().texture = 0;
+        tile.material().diffuse = glm::vec3(1);
+        tile.add_wall();
+        for (std::size_t k = 0; k < tile.scene.uv.size(); k += 2) tile.scene.uv[k].x = bad;
+        tile.cast();
+        ShadeMemory memory;
+        shade_tile(tile.hits, tile.world, memory.targets);
+        for (int k = 0; k < 16 * 16; ++k) {
+            EXPECT_GE(memory.targets.albedo[0][k], 0);
+            EXPECT_LE(memory.targets.albedo[0][k], 1);
+        }
+    }
+}
+
+} // namespace
+} // namespace firsthit
