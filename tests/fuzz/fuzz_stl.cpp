@@ -1,5 +1,5 @@
 // fuzz_stl.cpp - STL files made of anything.
-#include "fuzz/fuzz_mesh.h"
+#include "fuzz_mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
