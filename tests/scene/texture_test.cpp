@@ -97,8 +97,19 @@ TEST(Texture, RefusesWhatIsNoPicture)
     expect_refused("", refused);
     expect_refused("hello", refused);
     expect_refused("P3 1 1 255 1 2 3", refused);
-    for (std::size_t size = 0; size + 16 < kPng.size(); ++size)
+}
+
+TEST(Texture, RefusesPngThatIsCutOffAnywhere)
+{
+    for (std::size_t size = 0; size < kPng.size(); ++size)
         EXPECT_THROW(decode_texture("t", kPng.substr(0, size)), FileError);
+}
+
+TEST(Texture, RefusesPngWhoseChunksPromiseMoreThanTheFileHas)
+{
+    std::string png = kPng;
+    png[33] = '\x40'; // the length of the second chunk: a gigabyte
+    expect_refused(png, "t: the PNG picture is cut off or damaged at byte 33");
 }
 
 TEST(Texture, RefusesDamagedPpm)
