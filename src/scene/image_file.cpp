@@ -2,6 +2,7 @@
 #include "scene/image_file.h"
 
 #include "scene/file_text.h"
+#include "scene/jpeg_check.h"
 #include "scene/mip_levels.h"
 #include "scene/pnm.h"
 
@@ -52,6 +53,8 @@ Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
             name + ": a picture file of " + std::to_string(bytes.size()) + " bytes is too large");
     if (std::string_view(bytes.data(), bytes.size()).starts_with(kPngSignature))
         check_png_chunks(name, bytes);
+    else
+        check_jpeg_tables(name, bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
