@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kEnd = 10.0;        // s
-constexpr double kGround = 36.0;     // m from the middle to the ground's edge
-constexpr int kGroundQuads = 24;     // on a side
+constexpr double kGround = 160.0;    // m from the middle to the ground's edge
+constexpr int kGroundQuads = 12;     // on a side
 constexpr double kTextureSize = 4.0; // m that the texture covers once
 constexpr double kWall = 9.5;        // m from the middle to the walls
 
@@ -76,7 +76,7 @@ void add_props(SceneBuilder& builder, std::int32_t node)
             {0.30, 2.12}, {0.22, 2.05}, {0.20, 1.9}, {0.23, 0.75}, {0.30, 0.62}, {0.40, 0.58},
             {0.42, 0.54}, {0.42, 0.34}, {0.42, 0.34}, {0.78, 0.34}, {0.80, 0.32}, {0.80, 0.17},
             {0.80, 0.17}, {1.15, 0.17}, {1.17, 0.15}, {1.17, 0.0}}),
-        32);
+        24);
     for (int side = 0; side < 8; ++side) {
         // A gap in the middle of every second side.
         const double angle = kPi / 4 * side;
@@ -86,16 +86,16 @@ void add_props(SceneBuilder& builder, std::int32_t node)
                 add_lathe(column,
                     std::to_array<Outline>({{0, 1.0}, {0.10, 0.98}, {0.16, 0.90}, {0.17, 0.82},
                         {0.13, 0.74}, {0.13, 0.12}, {0.20, 0.06}, {0.20, 0.0}}),
-                    16, turn * moved(end * 2.4, 0, kWall));
+                    10, turn * moved(end * 2.4, 0, kWall));
         } else {
-            add_rounded_box(column, {3.0, 0.35, 0.22}, 0.07, 2, turn * moved(0, 0.30, kWall));
-            add_rounded_box(column, {3.12, 0.06, 0.30}, 0.03, 2, turn * moved(0, 0.70, kWall));
+            add_rounded_box(column, {3.0, 0.35, 0.22}, 0.07, 1, turn * moved(0, 0.30, kWall));
+            add_rounded_box(column, {3.12, 0.06, 0.30}, 0.03, 1, turn * moved(0, 0.70, kWall));
         }
     }
     builder.add_part(node, stone, std::move(column));
 
     Shape light;
-    add_ellipsoid(light, {0.30, 0.30, 0.30}, 24, moved(0, 2.58, 0));
+    add_ellipsoid(light, {0.30, 0.30, 0.30}, 20, moved(0, 2.58, 0));
     builder.add_part(node, lamp, std::move(light));
 }
 
@@ -141,10 +141,10 @@ Placement camera_at(double time_s)
 {
     const double u = time_s / kEnd;
     const double angle = 0.9 + 1.9 * u;
-    const double distance = 11.5 - 2.6 * u;
+    const double distance = 10.6 - 2.4 * u;
     const glm::dvec3 target(0, 1.0 - 0.1 * u, 0);
     Placement camera;
-    camera.position = {distance * std::sin(angle), 5.2 - 3.0 * u, distance * std::cos(angle)};
+    camera.position = {distance * std::sin(angle), 4.6 - 2.6 * u, distance * std::cos(angle)};
     const glm::dvec3 back = glm::normalize(camera.position - target);
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
     camera.turn = glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back));

@@ -60,8 +60,8 @@ Scene make_torus()
 
     Camera camera;
     camera.eye = {0, 2.35, 2.6};
-    camera.direction = -camera.eye;
-    camera.fov_y_rad = 0.78;
+    camera.direction = glm::dvec3(0, -0.08, 0.09) - camera.eye;
+    camera.fov_y_rad = 0.84;
     scene.camera = camera;
     scene.lights.push_back({.position = {2.5, 5, 3}});
     scene.background = {0.02f, 0.03f, 0.05f};

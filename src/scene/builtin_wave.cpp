@@ -197,7 +197,7 @@ Scene make_wave(std::uint64_t triangles)
     Camera camera;
     camera.eye = {0, 2.55, 1.55};
     camera.direction = glm::dvec3(0, -0.02, 0.13) - camera.eye;
-    camera.fov_y_rad = 0.72;
+    camera.fov_y_rad = 0.81;
     scene.camera = camera;
     scene.lights.push_back({.position = {-2.5, 3.5, -1.5}});
     scene.background = {0.02f, 0.03f, 0.05f};

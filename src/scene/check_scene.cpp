@@ -188,6 +188,7 @@ void check_triangles(const Scene& scene, std::uint32_t number, const std::string
 void check_parts(const Scene& scene)
 {
     std::size_t next_triangle = 0;
+    std::size_t next_vertex = 0;
     for (std::size_t p = 0; p < scene.parts.size(); ++p) {
         const Part& part = scene.parts[p];
         const std::string what = fmt::format("part {} '{}'", p, part.name);
@@ -204,9 +205,13 @@ void check_parts(const Scene& scene)
         if (next_triangle > scene.index.size())
             fail(scene, fmt::format("{}: ends at triangle {} of {}", what, next_triangle,
                             scene.index.size()));
-        if (std::size_t(part.first_vertex) + part.vertex_count > scene.vertices)
-            fail(scene, fmt::format("{}: ends at vertex {} of {}", what,
-                            std::size_t(part.first_vertex) + part.vertex_count, scene.vertices));
+        if (part.first_vertex != next_vertex)
+            fail(scene, fmt::format("{}: starts at vertex {}, {} is next", what, part.first_vertex,
+                            next_vertex));
+        next_vertex += part.vertex_count;
+        if (next_vertex > scene.vertices)
+            fail(scene,
+                fmt::format("{}: ends at vertex {} of {}", what, next_vertex, scene.vertices));
         check_morphs(scene, part, what);
         check_triangles(scene, static_cast<std::uint32_t>(p), what);
     }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace firsthit {
@@ -40,6 +42,16 @@ void make_flat(std::vector<glm::vec3>& position, std::vector<glm::uvec3>& index,
     uv = std::move(corner_uv);
 }
 
+/// Before vertices that no triangle uses go away with their damage.
+void check_finite(const std::vector<glm::vec3>& position)
+{
+    for (std::size_t v = 0; v < position.size(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(position[v][axis]))
+                throw SceneError(fmt::format(
+                    "vertex {}: {} is {}, not a finite number", v, "xyz"[axis], position[v][axis]));
+}
+
 void check_index(const std::vector<glm::uvec3>& index, std::size_t vertices)
 {
     for (std::size_t t = 0; t < index.size(); ++t)
@@ -60,6 +72,7 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
     if (!uv.empty() && uv.size() != position.size())
         throw SceneError(
             fmt::format("{} texture coordinates for {} positions", uv.size(), position.size()));
+    check_finite(position);
     check_index(index, position.size());
     if (normal.empty()) {
         if (index.size() > kNoItem / 3)

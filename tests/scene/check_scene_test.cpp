@@ -76,6 +76,7 @@ TEST(CheckScene, RefusesPartsWithGapsOrBeyondTheEnd)
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].triangle_count = 1; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].triangle_count = 3; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].vertex_count = 5; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.parts[0].first_vertex = 1; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].node = 1; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].material = 1; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.parts[0].morph.resize(1); }), "no error");

@@ -196,6 +196,29 @@ TEST(MeshFile, ReadsBinaryPlyInBothByteOrders)
     }
 }
 
+TEST(MeshFile, ReadsABinaryPlyThatIsLongerThanAssimpsBuffer)
+{
+    // 3 MB of vertices and faces of 3 to 6 corners, which cross its megabytes anywhere.
+    constexpr int kVertices = 100'000;
+    constexpr int kFaces = 90'000;
+    std::string bytes = ply_header("binary_little_endian", "100000", "90000");
+    for (int v = 0; v < kVertices; ++v)
+        for (const int axis : {1, 2, 3}) append(bytes, static_cast<float>(v * axis) + 0.5f);
+    const auto index = [](int face, int k) { return (face * 7919 + k * 104'729) % kVertices; };
+    for (int f = 0; f < kFaces; ++f) {
+        append(bytes, static_cast<std::uint8_t>(3 + f % 4));
+        for (int k = 0; k < 3 + f % 4; ++k) append(bytes, index(f, k));
+    }
+    const Scene scene = read(bytes, ".ply");
+    std::size_t triangle = 0;
+    for (int f = 0; f < kFaces; ++f)
+        for (int k = 2; k < 3 + f % 4; ++k, ++triangle)
+            for (const auto& [place, from] : {std::pair{0, 0}, {1, k - 1}, {2, k}})
+                ASSERT_EQ(
+                    corner(scene, triangle, place).x, static_cast<float>(index(f, from)) + 0.5f);
+    EXPECT_EQ(scene.triangle_count(), triangle);
+}
+
 TEST(MeshFile, ReadsNormalsAndTextureCoordinatesOfAPly)
 {
     const Scene scene =
@@ -208,15 +231,26 @@ TEST(MeshFile, ReadsNormalsAndTextureCoordinatesOfAPly)
     EXPECT_EQ(scene.uv[0], glm::vec2(0.5f, 0.25f));
 }
 
+/// A scene that the set-up fetches, and how many triangles and vertices it has.
+void expect_counts(const char* file, std::size_t triangles, std::size_t vertices)
+{
+    const std::filesystem::path path = std::filesystem::path(FIRSTHIT_SCENES) / file;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " was not fetched";
+    const Scene scene = read_mesh_file(path, {});
+    EXPECT_EQ(scene.triangle_count(), triangles);
+    EXPECT_EQ(scene.vertices, vertices);
+    EXPECT_NO_THROW(check_scene(scene));
+}
+
 TEST(MeshFile, ReadsTheBunnyWithItsCounts)
 {
-    const char* const folder = std::getenv("FIRSTHIT_SCENES");
-    if (folder == nullptr) GTEST_SKIP() << "FIRSTHIT_SCENES names no folder with bunny.stl";
-    const std::filesystem::path path = std::filesystem::path(folder) / "bunny.stl";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing";
-    const Scene scene = read_mesh_file(path, {});
-    EXPECT_EQ(scene.triangle_count(), 69451u);
-    EXPECT_EQ(scene.vertices, 34834u);
+    expect_counts("bunny.stl", 69451, 34834);
+}
+
+// 2,100 of its 437,645 vertices are used by no triangle.
+TEST(MeshFile, ReadsTheDragonWithItsCounts)
+{
+    expect_counts("dragon.ply", 871414, 435545);
 }
 
 TEST(MeshFile, ReadsTheGallopingHorseWithItsCounts)

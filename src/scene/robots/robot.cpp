@@ -35,25 +35,21 @@ void add_limb(Shape& shape, double top, double bottom, double radius, double end
         {0.50 * end_radius, bottom + 0.002},
         {0, bottom},
     });
-    add_lathe(shape, outline, 14);
+    add_lathe(shape, outline, 10);
 }
 
 /// A short drum along x, the outside of a joint.
 void add_drum(Shape& shape, const glm::dvec3& at, double radius, double half_width)
 {
     const auto outline = std::to_array<Outline>({
-        {0, half_width * 0.8},
-        {0.55 * radius, half_width * 0.8},
-        {0.60 * radius, half_width},
-        {0.85 * radius, half_width},
+        {0, half_width},
+        {0.80 * radius, half_width},
         {radius, half_width * 0.7},
         {radius, -half_width * 0.7},
-        {0.85 * radius, -half_width},
-        {0.60 * radius, -half_width},
-        {0.55 * radius, -half_width * 0.8},
-        {0, -half_width * 0.8},
+        {0.80 * radius, -half_width},
+        {0, -half_width},
     });
-    add_lathe(shape, outline, 14, moved(at.x, at.y, at.z, kZ, kQuarter));
+    add_lathe(shape, outline, 12, moved(at.x, at.y, at.z, kZ, kQuarter));
 }
 
 class RobotMaker {
@@ -73,7 +69,7 @@ class RobotMaker {
     void add_hips(std::int32_t hips)
     {
         Shape shell;
-        add_rounded_box(shell, {0.15, 0.085, 0.115}, 0.06, 4, moved(0, 0.015, 0), 0.7);
+        add_rounded_box(shell, {0.15, 0.085, 0.115}, 0.06, 3, moved(0, 0.015, 0), 0.7);
         builder_.add_part(hips, paint_.body, std::move(shell));
 
         // Bellows up to the torso, the axle of the legs.
@@ -81,7 +77,7 @@ class RobotMaker {
         std::vector<Outline> bellows;
         for (int k = 0; k <= 8; ++k)
             bellows.push_back({k % 2 == 0 ? 0.085 : 0.105, 0.18 - 0.015 * k});
-        add_lathe(metal, bellows, 16);
+        add_lathe(metal, bellows, 12);
         for (const double side : {-1.0, 1.0}) add_drum(metal, {side * 0.155, 0, 0}, 0.075, 0.035);
         builder_.add_part(hips, paint_.rubber, std::move(metal));
     }
@@ -89,46 +85,46 @@ class RobotMaker {
     void add_torso(std::int32_t torso)
     {
         Shape shell;
-        add_rounded_box(shell, {0.255, 0.235, 0.165}, 0.085, 6, moved(0, 0.30, 0), 0.66);
+        add_rounded_box(shell, {0.255, 0.235, 0.165}, 0.085, 4, moved(0, 0.30, 0), 0.66);
         builder_.add_part(torso, paint_.body, std::move(shell));
 
         Shape plate;
         add_rounded_box(
-            plate, {0.155, 0.115, 0.04}, 0.035, 3, moved(0, 0.365, 0.145, kX, -0.05), 0.8);
-        add_rounded_box(plate, {0.15, 0.15, 0.07}, 0.045, 3, moved(0, 0.32, -0.165), 0.85); // pack
+            plate, {0.155, 0.115, 0.04}, 0.035, 2, moved(0, 0.365, 0.145, kX, -0.05), 0.8);
+        add_rounded_box(plate, {0.15, 0.15, 0.07}, 0.045, 2, moved(0, 0.32, -0.165), 0.85); // pack
         for (const double side : {-1.0, 1.0})
             add_lathe(plate,
                 std::to_array<Outline>({{0, 0.12}, {0.030, 0.117}, {0.042, 0.10}, {0.042, -0.08},
                     {0.03, -0.10}, {0.022, -0.12}, {0, -0.12}}),
-                12, moved(side * 0.075, 0.30, -0.235));
+                9, moved(side * 0.075, 0.30, -0.235));
         builder_.add_part(torso, paint_.metal, std::move(plate));
 
         Shape lamp;
-        add_ellipsoid(lamp, {0.048, 0.048, 0.022}, 16, moved(0, 0.39, 0.183));
+        add_ellipsoid(lamp, {0.048, 0.048, 0.022}, 14, moved(0, 0.39, 0.183));
         for (int k = -1; k <= 1; ++k)
-            add_ellipsoid(lamp, {0.013, 0.013, 0.01}, 8, moved(0.05 * k, 0.31, 0.181));
+            add_ellipsoid(lamp, {0.013, 0.013, 0.01}, 6, moved(0.05 * k, 0.31, 0.181));
         builder_.add_part(torso, paint_.glow, std::move(lamp));
 
         Shape joints;
         add_lathe(joints,
             std::to_array<Outline>({{0.07, 0.64}, {0.07, 0.62}, {0.079, 0.605}, {0.072, 0.59},
                 {0.082, 0.575}, {0.075, 0.56}, {0.098, 0.545}, {0.10, 0.52}}),
-            16);
+            12);
         for (const double side : {-1.0, 1.0})
-            add_ellipsoid(joints, {0.09, 0.09, 0.09}, 16, moved(side * 0.285, 0.44, 0));
+            add_ellipsoid(joints, {0.09, 0.09, 0.09}, 10, moved(side * 0.285, 0.44, 0));
         builder_.add_part(torso, paint_.rubber, std::move(joints));
     }
 
     void add_head(std::int32_t head)
     {
         Shape shell;
-        add_rounded_box(shell, {0.15, 0.125, 0.135}, 0.085, 6, moved(0, 0.17, 0.01), 0.86);
+        add_rounded_box(shell, {0.15, 0.125, 0.135}, 0.085, 4, moved(0, 0.17, 0.01), 0.86);
         add_lathe(shell,
             std::to_array<Outline>({{0, 0.315}, {0.03, 0.314}, {0.05, 0.305}, {0.055, 0.285}}), 14);
         builder_.add_part(head, paint_.body, std::move(shell));
 
         Shape dark;
-        add_rounded_box(dark, {0.12, 0.055, 0.03}, 0.03, 4, moved(0, 0.19, 0.128));
+        add_rounded_box(dark, {0.12, 0.055, 0.03}, 0.03, 2, moved(0, 0.19, 0.128));
         for (const double side : {-1.0, 1.0}) add_drum(dark, {side * 0.148, 0.17, 0}, 0.055, 0.028);
         // Mouth: three bars.
         for (int k = -1; k <= 1; ++k)
@@ -141,14 +137,14 @@ class RobotMaker {
             add_lathe(antennae,
                 std::to_array<Outline>(
                     {{0.004, 0.17}, {0.005, 0.04}, {0.011, 0.025}, {0.02, 0.0}, {0.026, -0.02}}),
-                10, moved(side * 0.10, 0.285, -0.03, kZ, -side * 0.32));
+                7, moved(side * 0.10, 0.285, -0.03, kZ, -side * 0.32));
         builder_.add_part(head, paint_.metal, std::move(antennae));
 
         Shape lights;
         for (const double side : {-1.0, 1.0}) {
-            add_ellipsoid(lights, {0.032, 0.032, 0.018}, 14, moved(side * 0.052, 0.193, 0.155));
+            add_ellipsoid(lights, {0.032, 0.032, 0.018}, 12, moved(side * 0.052, 0.193, 0.155));
             const glm::dmat4 tip = moved(side * 0.10, 0.285, -0.03, kZ, -side * 0.32);
-            add_ellipsoid(lights, {0.019, 0.019, 0.019}, 10, tip * moved(0, 0.18, 0));
+            add_ellipsoid(lights, {0.019, 0.019, 0.019}, 8, tip * moved(0, 0.18, 0));
         }
         builder_.add_part(head, paint_.glow, std::move(lights));
     }
@@ -158,7 +154,7 @@ class RobotMaker {
         Shape sleeve;
         add_limb(sleeve, 0.0, -robot.upper_arm + 0.035, 0.068, 0.05);
         // Shoulder cap.
-        add_ellipsoid(sleeve, {0.092, 0.088, 0.098}, 14, moved(0, 0.03, 0));
+        add_ellipsoid(sleeve, {0.092, 0.088, 0.098}, 12, moved(0, 0.03, 0));
         builder_.add_part(upper, paint_.body, std::move(sleeve));
         Shape elbow;
         add_drum(elbow, {0, -robot.upper_arm, 0}, 0.048, 0.052);
@@ -168,7 +164,7 @@ class RobotMaker {
         add_limb(shell, -0.035, -0.275, 0.05, 0.06);
         builder_.add_part(fore, paint_.metal, std::move(shell));
         Shape hand;
-        add_ellipsoid(hand, {0.035, 0.035, 0.035}, 10, moved(0, -0.285, 0));
+        add_ellipsoid(hand, {0.035, 0.035, 0.035}, 6, moved(0, -0.285, 0));
         add_rounded_box(hand, {0.022, 0.042, 0.04}, 0.018, 2, moved(0, -0.33, 0));
         for (int finger = -1; finger <= 1; ++finger)
             add_rounded_box(hand, {0.0105, 0.036, 0.0105}, 0.009, 1,
@@ -192,16 +188,16 @@ class RobotMaker {
         add_rounded_box(calf, {0.045, 0.13, 0.025}, 0.022, 2, moved(0, -0.2, 0.05), 0.8);
         builder_.add_part(shin, paint_.metal, std::move(calf));
         Shape cap;
-        add_ellipsoid(cap, {0.05, 0.06, 0.035}, 12, moved(0, 0.0, 0.055));
+        add_ellipsoid(cap, {0.05, 0.06, 0.035}, 10, moved(0, 0.0, 0.055));
         builder_.add_part(shin, paint_.body, std::move(cap));
 
         Shape ankle;
         add_drum(ankle, {0, 0, 0}, 0.045, 0.055);
         add_rounded_box(
-            ankle, {0.075, 0.016, 0.145}, 0.012, 2, moved(0, -robot.ankle + 0.016, 0.045)); // sole
+            ankle, {0.075, 0.016, 0.145}, 0.012, 1, moved(0, -robot.ankle + 0.016, 0.045)); // sole
         builder_.add_part(foot, paint_.rubber, std::move(ankle));
         Shape shoe;
-        add_rounded_box(shoe, {0.068, 0.05, 0.13}, 0.045, 4, moved(0, -0.035, 0.05));
+        add_rounded_box(shoe, {0.068, 0.05, 0.13}, 0.045, 3, moved(0, -0.035, 0.05));
         builder_.add_part(foot, paint_.body, std::move(shoe));
     }
 
