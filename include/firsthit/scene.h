@@ -114,7 +114,7 @@ struct Scene {
 
     std::vector<Node> nodes;
     std::vector<Track> tracks;
-    std::vector<Part> parts; // in order of their triangles, without gaps
+    std::vector<Part> parts; // in order of their triangles and of their vertices, without gaps
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<PointLight> lights;
@@ -177,7 +177,11 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
 
 /// Poses the scene at a time, clamped to nothing: tracks clamp themselves. Deterministic, whatever
 /// the number of threads; writes into `world` and allocates nothing once its sizes have settled.
-/// A part of an invisible node collapses to a point, which no ray hits.
+/// A part of an invisible node collapses to a point, which no ray hits. A scene without a camera gets
+/// framing_camera's.
+///
+/// throws  SceneError: a posed coordinate that is not finite (names the part), an index out of range
+///         ArgumentError: a time that is not finite
 void pose(const Scene& scene, double time_s, World& world, int threads = 1);
 
 /// A camera that sees the whole world from the front, slightly above.

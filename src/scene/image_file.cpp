@@ -11,12 +11,33 @@
 #include <stb/stb_image.h>
 
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 namespace firsthit {
 namespace {
+
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+
+/// Refuses a PNG whose chunks do not fit the file, because stb_image takes the memory that a chunk
+/// promises before it looks for its bytes.
+void check_png_chunks(const std::string& name, std::span<const char> bytes)
+{
+    constexpr std::size_t kAround = 12; // length, type and checksum of a chunk
+    std::size_t at = kPngSignature.size();
+    while (at + kAround <= bytes.size()) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            length = (length << 8) | static_cast<unsigned char>(bytes[at + k]);
+        const bool is_last = std::string_view(&bytes[at + 4], 4) == "IEND";
+        if (length > bytes.size() - at - kAround) break;
+        if (is_last) return;
+        at += kAround + length;
+    }
+    throw FileError(name + ": the PNG picture is cut off or damaged at byte " + std::to_string(at));
+}
 
 /// PNG and JPEG.
 Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
@@ -29,6 +50,8 @@ Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
     if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
         throw FileError(
             name + ": a picture file of " + std::to_string(bytes.size()) + " bytes is too large");
+    if (std::string_view(bytes.data(), bytes.size()).starts_with(kPngSignature))
+        check_png_chunks(name, bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;

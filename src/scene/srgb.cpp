@@ -22,6 +22,34 @@ std::array<float, count> light_table(double first)
     return table;
 }
 
+/// Finds 8-bit values by where they give way to the next one: half-way between them in sRGB.
+class CodeTable {
+  public:
+    CodeTable() : edge_(light_table<255>(0.5))
+    {
+        for (std::size_t bucket = 0; bucket < first_code_.size(); ++bucket)
+            first_code_[bucket] = static_cast<std::uint8_t>(
+                std::upper_bound(edge_.begin(), edge_.end(),
+                    static_cast<float>(bucket) / static_cast<float>(kBuckets)) -
+                edge_.begin());
+    }
+
+    std::uint8_t code_of(float linear) const
+    {
+        if (!(linear > 0)) return 0;
+        if (linear >= 1) return 255;
+        // At most four codes share a bucket, where sRGB is steepest.
+        std::size_t code = first_code_[static_cast<std::size_t>(linear * float(kBuckets))];
+        while (code < edge_.size() && linear >= edge_[code]) ++code;
+        return static_cast<std::uint8_t>(code);
+    }
+
+  private:
+    static constexpr std::size_t kBuckets = 1024;
+    std::array<float, 255> edge_;
+    std::array<std::uint8_t, kBuckets> first_code_{};
+};
+
 } // namespace
 
 const std::array<float, 256>& linear_from_srgb8()
@@ -32,10 +60,8 @@ const std::array<float, 256>& linear_from_srgb8()
 
 std::uint8_t srgb8_from_linear(float linear)
 {
-    // Where 8-bit values give way to the next one: half-way between them in sRGB.
-    static const std::array<float, 255> edge = light_table<255>(0.5);
-    return static_cast<std::uint8_t>(
-        std::upper_bound(edge.begin(), edge.end(), linear) - edge.begin());
+    static const CodeTable table;
+    return table.code_of(linear);
 }
 
 } // namespace firsthit

@@ -65,11 +65,11 @@ starts a.exr 762f3101
 expect_files a.exr
 expect 0 '' render builtin:torus --size 8x4 --aov item=i.npy --aov depth=d.npy --aov uv=uv.exr \
     --aov normal=n.npy --aov geometric_normal=g.exr --aov position=p.npy --aov albedo=al.exr \
-    --aov distance=t.exr --aov item=i.exr
+    --aov distance=t.exr --aov item=i.exr --aov barycentric=b.npy
 starts i.npy 934e554d5059
 grep -qa "'<u4'.*(4, 8)" i.npy || fail "i.npy has another type or shape"
 grep -qa "'<f4'.*(4, 8, 3)" n.npy || fail "n.npy has another type or shape"
-expect_files i.npy d.npy uv.exr n.npy g.exr p.npy al.exr t.exr i.exr
+expect_files i.npy d.npy uv.exr n.npy g.exr p.npy al.exr t.exr i.exr b.npy
 expect 0 '' render builtin:robots --size 8x8 --frames 0:2:3 -o f_%03d.png --aov item=f_%03d.npy
 expect_files f_000.png f_001.png f_002.png f_000.npy f_001.npy f_002.npy
 expect 0 'tile entries' render builtin:torus --size 16x16 --stats

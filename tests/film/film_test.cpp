@@ -30,7 +30,7 @@ TEST(Film, AnUnknownNameIsAnErrorThatListsTheNames)
     } catch (const ArgumentError& error) {
         EXPECT_STREQ(error.what(),
             "unknown plane 'colour': accepted are item, depth, distance, uv, "
-            "normal, geometric_normal, position, albedo");
+            "normal, geometric_normal, position, albedo, barycentric");
     }
 }
 

@@ -192,6 +192,7 @@ TEST(Exr, HasEveryPlaneUnderTheDocumentedChannelNames)
         {Aov::geometric_normal, {"Ng.X", "Ng.Y", "Ng.Z"}},
         {Aov::position, {"P.X", "P.Y", "P.Z"}},
         {Aov::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
+        {Aov::barycentric, {"barycentric.U", "barycentric.V"}},
     };
     for (const auto& [aov, channels] : names) {
         write_aov(film, aov, folder / "a.exr");

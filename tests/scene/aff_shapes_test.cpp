@@ -46,6 +46,17 @@ TEST(AffShapes, WearTextures)
     EXPECT_EQ(scene.normal[5], glm::vec3(1, 0, 0));
 }
 
+TEST(AffShapes, WearPicturesWhoseFirstRowIsAtTheBottom)
+{
+    const AffFiles files = {.include_text = {}, .texture = [](const std::string& name) {
+                                return Texture{name, {{2, 3, {1, 2, 3, 4, 5, 6}}, {1, 1, {7}}}};
+                            }};
+    const Scene scene = parse_aff("main.aff", "tt a 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1", files, {});
+    EXPECT_EQ(scene.textures[0].levels[0].texel, (std::vector<std::uint32_t>{5, 6, 3, 4, 1, 2}));
+    EXPECT_EQ(scene.textures[0].levels[1].texel, std::vector<std::uint32_t>{7});
+    EXPECT_EQ(scene.uv[2], glm::vec2(0, 1));
+}
+
 TEST(AffShapes, HaveTextureCoordinatesForAllVerticesOrNone)
 {
     const Scene scene =

@@ -72,6 +72,26 @@ TEST(Texture, ReadsPngWithAlpha)
     EXPECT_EQ(texels_of(kPng), (Texels{0xFF0000FFu, 0xFF00FF00u, 0xFFFF0000u, 0x80FFFFFFu}));
 }
 
+/// An 8 x 8 grey JPEG whose only block has no coefficients: one grey of 128.
+std::string grey_jpeg()
+{
+    using namespace std::string_literals;
+    const std::string one_code = "\x01"s + std::string(15, '\0'); // one Huffman code of one bit
+    return "\xff\xd8"                                             // start
+           "\xff\xdb\x00\x43\x00"s +
+           std::string(64, '\x01') +                                           // quantisation: 1
+           "\xff\xc0\x00\x0b\x08\x00\x08\x00\x08\x01\x01\x11\x00"s +           // 8 x 8, one channel
+           "\xff\xc4\x00\x14\x00"s + one_code + "\x00"s +                      // 0: no change
+           "\xff\xc4\x00\x14\x10"s + one_code + "\x00"s +                      // 0: end of block
+           "\xff\xda\x00\x08\x01\x01\x00\x00\x3f\x00"s + "\x3f"s + "\xff\xd9"; // 00, end
+}
+
+TEST(Texture, ReadsJpeg)
+{
+    EXPECT_EQ(texels_of(grey_jpeg()), Texels(64, 0xFF808080u));
+    EXPECT_THROW(decode_texture("t", grey_jpeg().substr(0, 90)), FileError);
+}
+
 TEST(Texture, ReadsFromTheDiskUnderItsName)
 {
     const TestFolder folder;
@@ -97,8 +117,19 @@ TEST(Texture, RefusesWhatIsNoPicture)
     expect_refused("", refused);
     expect_refused("hello", refused);
     expect_refused("P3 1 1 255 1 2 3", refused);
-    for (std::size_t size = 0; size + 16 < kPng.size(); ++size)
+}
+
+TEST(Texture, RefusesPngThatIsCutOffAnywhere)
+{
+    for (std::size_t size = 0; size < kPng.size(); ++size)
         EXPECT_THROW(decode_texture("t", kPng.substr(0, size)), FileError);
+}
+
+TEST(Texture, RefusesPngWhoseChunksPromiseMoreThanTheFileHas)
+{
+    std::string png = kPng;
+    png[33] = '\x40'; // the length of the second chunk: a gigabyte
+    expect_refused(png, "t: the PNG picture is cut off or damaged at byte 33");
 }
 
 TEST(Texture, RefusesDamagedPpm)

@@ -21,7 +21,8 @@
 // - Names of included files are relative to the main file's folder; textures are looked for there
 // and
 //   in the folder TextureFiles beside it. A texture that cannot be read is a warning, once a file,
-//   and leaves a plain colour. Its first row of texels is at v = 0.
+//   and leaves a plain colour. Texture coordinates stay as they are, and pictures are turned upside
+//   down, as BART has v = 0 at the first row of a file and a Texture at the last.
 // - The current material is one for all files and is not restored by `}`. Before the first `f` or
 //   `fm` it is Material{}. An `f` has no ambient colour. Colours are linear.
 // - Lights are in world space wherever they stand.

@@ -15,6 +15,17 @@ bool same_times(const std::vector<MorphKey>& a, const std::vector<MorphKey>& b)
         [](const MorphKey& p, const MorphKey& q) { return p.time_s == q.time_s; });
 }
 
+/// AFF has v = 0 at a picture's first row, a scene at its last one.
+void turn_upside_down(Texture& texture)
+{
+    for (Texture::Level& level : texture.levels) {
+        const auto row = static_cast<std::ptrdiff_t>(level.width);
+        for (auto top = level.texel.begin(), bottom = level.texel.end() - row; top < bottom;
+             top += row, bottom -= row)
+            std::swap_ranges(top, top + row, bottom);
+    }
+}
+
 } // namespace
 
 Builder::Builder(const AffFiles& files) : files_(files)
@@ -114,6 +125,7 @@ std::int32_t Builder::texture(const Lexer& lexer, std::string_view name)
     try {
         Texture texture = files_.texture(entry->first);
         texture.name = entry->first;
+        turn_upside_down(texture);
         scene.textures.push_back(std::move(texture));
         entry->second = static_cast<std::int32_t>(scene.textures.size() - 1);
     } catch (const FileError& error) {
