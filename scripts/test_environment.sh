@@ -4,6 +4,3 @@ if [ -z "${FIRSTHIT_TEST_DATA:-}" ] && [ -d ../shared/data ]; then
     FIRSTHIT_TEST_DATA=$(cd ../shared/data && pwd)
     export FIRSTHIT_TEST_DATA
 fi
-if [ -z "${FIRSTHIT_SCENES:-}" ] && [ -d scenes ]; then
-    export FIRSTHIT_SCENES=$PWD/scenes
-fi

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <span>
@@ -22,10 +21,8 @@ template <class T> class Buffer {
     {
         if (count > capacity_) {
             data_.reset();
-            const std::size_t bytes = ((count + spare) * sizeof(T) + 127) / 64 * 64;
-            void* memory = std::aligned_alloc(64, bytes);
-            if (!memory) throw std::bad_alloc();
-            data_.reset(static_cast<T*>(memory));
+            const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
+            data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
             capacity_ = count + spare;
         }
         size_ = count;
@@ -40,8 +37,9 @@ template <class T> class Buffer {
     std::span<const T> span() const { return {data(), size_}; }
 
   private:
+    static constexpr std::align_val_t kAlignment{64};
     struct Free {
-        void operator()(T* memory) const { std::free(memory); }
+        void operator()(T* memory) const { ::operator delete(memory, kAlignment); }
     };
     std::unique_ptr<T[], Free> data_;
     std::size_t size_ = 0;

@@ -231,15 +231,26 @@ TEST(MeshFile, ReadsNormalsAndTextureCoordinatesOfAPly)
     EXPECT_EQ(scene.uv[0], glm::vec2(0.5f, 0.25f));
 }
 
+/// A scene that the set-up fetches, and how many triangles and vertices it has.
+void expect_counts(const char* file, std::size_t triangles, std::size_t vertices)
+{
+    const std::filesystem::path path = std::filesystem::path(FIRSTHIT_SCENES) / file;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " was not fetched";
+    const Scene scene = read_mesh_file(path, {});
+    EXPECT_EQ(scene.triangle_count(), triangles);
+    EXPECT_EQ(scene.vertices, vertices);
+    EXPECT_NO_THROW(check_scene(scene));
+}
+
 TEST(MeshFile, ReadsTheBunnyWithItsCounts)
 {
-    const char* const folder = std::getenv("FIRSTHIT_SCENES");
-    if (folder == nullptr) GTEST_SKIP() << "FIRSTHIT_SCENES names no folder with bunny.stl";
-    const std::filesystem::path path = std::filesystem::path(folder) / "bunny.stl";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing";
-    const Scene scene = read_mesh_file(path, {});
-    EXPECT_EQ(scene.triangle_count(), 69451u);
-    EXPECT_EQ(scene.vertices, 34834u);
+    expect_counts("bunny.stl", 69451, 34834);
+}
+
+// 2,100 of its 437,645 vertices are used by no triangle.
+TEST(MeshFile, ReadsTheDragonWithItsCounts)
+{
+    expect_counts("dragon.ply", 871414, 435545);
 }
 
 TEST(MeshFile, ReadsTheGallopingHorseWithItsCounts)

@@ -1,5 +1,6 @@
 // assimp_mesh.cpp - reads the triangles of a checked mesh file with Assimp.
 #include "scene/mesh/assimp_mesh.h"
+#include "scene/mesh/file_bytes.h"
 
 #include <firsthit/error.h>
 
@@ -46,6 +47,11 @@ void append_mesh(const aiMesh& mesh, bool keep_normals, const std::string& name,
 RawMesh read_with_assimp(
     CheckedMesh& checked, const std::string& extension, const std::string& name)
 {
+    // What is written for Assimp can be longer than the file.
+    if (checked.bytes.size() > kMaxMeshFile)
+        throw FileError(fmt::format("{}: {} bytes after the check, at most {} are accepted", name,
+            checked.bytes.size(), kMaxMeshFile));
+
     // No post-processing: it would reorder faces.
     Assimp::Importer importer;
     const aiScene* const scene = importer.ReadFileFromMemory(

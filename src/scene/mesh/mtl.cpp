@@ -59,7 +59,7 @@ Material default_material()
     Material grey;
     grey.name = "grey";
     grey.ambient = glm::vec3(0.1f);
-    grey.diffuse = glm::vec3(0.7f);
+    grey.diffuse = glm::vec3(0.6f);
     grey.specular = glm::vec3(0.2f);
     grey.shininess = 30.0f;
     return grey;

@@ -1,0 +1,75 @@
+// frame_allocation_test.cpp - frames of one size share their memory.
+#include <firsthit/firsthit.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t bytes, std::size_t alignment)
+{
+    ++allocations;
+    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+
+} // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes, 16); }
+void* operator new(std::size_t bytes, std::align_val_t alignment)
+{
+    return counted(bytes, std::size_t(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace firsthit {
+namespace {
+
+/// Allocations of frames 3 to 12, each at another time.
+long allocations_after_two_frames(const std::string& name, int threads, const Settings& settings)
+{
+    const Scene scene = load_scene(name);
+    World world;
+    pose(scene, 0, world);
+    View view;
+    view.width = view.height = 320;
+    view.camera = framing_camera(world);
+    Renderer renderer(threads);
+    Film film;
+    const auto frame = [&](int number) { renderer.render(scene, 0.7 * number, view, settings, film); };
+    frame(0);
+    frame(1);
+    const long before = allocations;
+    for (int number = 2; number < 12; ++number) frame(number);
+    return allocations - before;
+}
+
+TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
+{
+    Settings settings;
+    settings.aovs = {Aov::item, Aov::depth, Aov::normal};
+    for (const int threads : {1, 2}) {
+        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0);
+        EXPECT_EQ(allocations_after_two_frames("builtin:wave?n=20000", threads, settings), 0);
+    }
+}
+
+TEST(FrameAllocation, IsNoneWithSupersampling)
+{
+    Settings settings;
+    settings.samples = 3;
+    settings.aovs = {Aov::item};
+    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0);
+}
+
+} // namespace
+} // namespace firsthit

@@ -1,0 +1,109 @@
+// raster_tile_test.cpp - what the item buffer's proof rests on: boxes that hold every hit, and depths
+// within their bound.
+#include "cpu/adversarial_scenes.h"
+#include "items.h"
+#include "visibility/bins.h"
+#include "visibility/raster_tile.h"
+
+#include <cmath>
+
+namespace firsthit::test {
+namespace {
+
+/// A world, binned for tiles of 16 samples.
+struct Binned {
+    ViewMemory memory;
+
+    Binned(const World& world, const View& view)
+    {
+        Tasks tasks(1);
+        const View filled = checked(view);
+        memory.pencil = pencil_of(filled, filled.region, 1);
+        memory.tile_size = 16;
+        memory.tiles_x = (memory.pencil.width + 15) / 16;
+        memory.tiles_y = (memory.pencil.height + 15) / 16;
+        memory.tile_of.resize(std::size_t(std::max(memory.pencil.width, memory.pencil.height)));
+        for (std::size_t k = 0; k < memory.tile_of.size(); ++k) memory.tile_of[k] = std::uint8_t(k / 16);
+        project_vertices(world.position, memory, tasks);
+        bin_triangles(world.scene->index, memory, tasks);
+    }
+};
+
+template <class F> void for_adversarial_worlds(const F& check)
+{
+    for (const AdversarialScene& scene : adversarial_scenes()) {
+        for (unsigned seed = 20; seed < 22; ++seed) {
+            SCOPED_TRACE(scene.name);
+            std::mt19937 random(seed);
+            TestWorld world;
+            scene.fill(world, random);
+            world.finish();
+            check(world.world);
+        }
+    }
+}
+
+TEST(BinTriangles, HoldsEverySampleThatATriangleHits)
+{
+    const View view = straight_view(kSize, kSize, kSize);
+    for_adversarial_worlds([&](const World& world) {
+        const Binned binned(world, view);
+        const EyeWorld eye(world, view);
+        Effort effort;
+        for (int y = 0; y < kSize; ++y) {
+            for (int x = 0; x < kSize; ++x) {
+                const int tile = y / 16 * binned.memory.tiles_x + x / 16;
+                std::vector<bool> listed(world.scene->index.size());
+                for (std::uint32_t e = binned.memory.tile_start[std::size_t(tile)];
+                     e < binned.memory.tile_start[std::size_t(tile) + 1]; ++e) {
+                    const TileEntry& entry = binned.memory.entry[e];
+                    if (x % 16 >= entry.x0 && x % 16 <= entry.x1 && y % 16 >= entry.y0 &&
+                        y % 16 <= entry.y1)
+                        listed[entry.triangle] = true;
+                }
+                for (std::size_t t = 0; t < listed.size(); t += 3) // a third is enough
+                    EXPECT_TRUE(listed[t] || !is_hit(eye.triangles[t], eye.ray(x, y), effort));
+            }
+        }
+    });
+}
+
+TEST(BinTriangles, LeavesOutWhatIsBehindOrBeside)
+{
+    TestWorld world;
+    world.add({-1, -1, -2}, {1, -1, -2}, {0, 1, -2});   // behind
+    world.add({-1, -1, -2}, {1, -1, -2}, {0, 1, 0});    // up to the eye's plane
+    world.add({9, -1, 2}, {12, -1, 2}, {9, 1, -3});     // crosses the plane, to the right
+    world.add({-9, -1, 2}, {-12, -1, 2}, {-9, 1, -3});  // to the left
+    world.add({0, -20, 2}, {1, -20, 2}, {0, -25, -3});  // above
+    world.add({0, 0, 1}, {1e-4f, 0, 1}, {0, 1e-4f, 1}); // between samples
+    world.finish();
+    EXPECT_EQ(Binned(world.world, straight_view(kSize, kSize, kSize)).memory.in_view_count, 0u);
+}
+
+TEST(RasterTile, StoresDepthsWithinTheirBound)
+{
+    const View view = straight_view(kSize, kSize, kSize);
+    for_adversarial_worlds([&](const World& world) {
+        const Binned binned(world, view);
+        const auto tile_memory = std::make_unique<ItemTile>();
+        ItemTile& tile = *tile_memory;
+        resize(tile, 16);
+        for (int number = 0; number < binned.memory.tiles(); ++number) {
+            raster_tile(binned.memory, number, tile);
+            const EyeWorld eye(world, view);
+            for (int y = 0; y < 16; ++y) {
+                for (int x = 0; x < 16; ++x) {
+                    const std::size_t at = std::size_t(tile_offset(x, y, 16));
+                    if (tile.item[at] == kNoItem) continue;
+                    const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1};
+                    const double exact = exact_inverse_depth(eye.triangles[tile.item[at]], d);
+                    EXPECT_LE(std::abs(tile.w[at] - exact), 1.5 * double(kDepthError) * exact);
+                }
+            }
+        }
+    });
+}
+
+} // namespace
+} // namespace firsthit::test
