@@ -125,6 +125,7 @@ VertexMatrix vertex_matrix(const glm::dmat4& world_from_object)
 bool move_vertices(const VertexMatrix& matrix, std::size_t count, const glm::vec3* position,
     const glm::vec3* normal, glm::vec3* moved_position, glm::vec3* moved_normal)
 {
+    if (count == 0) return true; // the arrays may be null
     return HWY_DYNAMIC_DISPATCH(move_vertices)(
         matrix, count, &position->x, &normal->x, &moved_position->x, &moved_normal->x);
 }

@@ -48,7 +48,7 @@ void move_plainly(const VertexMatrix& m, glm::vec3& p, glm::vec3& n)
 
 bool same_bits(const Points& a, const Points& b)
 {
-    return std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
 }
 
 /// Runs a check with each instruction set that this machine has.
