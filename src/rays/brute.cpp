@@ -41,6 +41,25 @@ struct EdgePlane {
 struct FacedTriangle {
     std::uint32_t id;
     std::array<EdgePlane, 3> edge;
+    std::array<double, 3> y, z; // of the corners
+
+    /// Whether no ray (dx, dy, 1) with dx in [first, last] can hit: all corners are certainly on one
+    /// side of the plane y = dy z of these rays, or one edge, affine in dx, is certainly negative at
+    /// both ends.
+    bool misses_row(double first, double last, double dy) const
+    {
+        int above = 0, below = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double side = y[k] - dy * z[k];
+            const double error = 4 * kUlp * (std::abs(y[k]) + std::abs(dy * z[k]));
+            above += side > error;
+            below += side < -error;
+        }
+        if (above == 3 || below == 3) return true;
+        for (const EdgePlane& e : edge)
+            if (e.side(first, dy) < 0 && e.side(last, dy) < 0) return true;
+        return false;
+    }
 };
 
 EdgePlane edge_plane(const glm::vec3& a, const glm::vec3& b, double facing)
@@ -61,7 +80,8 @@ std::vector<FacedTriangle> face(const EyeTriangles& triangles)
         const int facing = volume_sign(c, effort);
         if (facing == 0) continue;
         faced.push_back({std::uint32_t(t), {edge_plane(c[0], c[1], facing),
-            edge_plane(c[1], c[2], facing), edge_plane(c[2], c[0], facing)}});
+            edge_plane(c[1], c[2], facing), edge_plane(c[2], c[0], facing)},
+            {c[0].y, c[1].y, c[2].y}, {c[0].z, c[1].z, c[2].z}});
     }
     return faced;
 }
@@ -73,10 +93,7 @@ void cast_row(const EyeTriangles& triangles, const std::vector<FacedTriangle>& f
     std::fill(row.begin(), row.end(), kNoItem);
     const double dy = pencil.y0 + y, first = pencil.x0, last = pencil.x0 + pencil.width - 1;
     for (const FacedTriangle& triangle : faced) {
-        bool missed = false;
-        for (const EdgePlane& edge : triangle.edge)
-            missed |= edge.side(first, dy) < 0 && edge.side(last, dy) < 0;
-        if (missed) continue;
+        if (triangle.misses_row(first, last, dy)) continue;
         for (int x = 0; x < pencil.width; ++x) {
             const double dx = pencil.x0 + x;
             const int a = triangle.edge[0].side(dx, dy), b = triangle.edge[1].side(dx, dy),

@@ -5,6 +5,7 @@
 #include "scene/mesh/file_bytes.h"
 #include "scene/mesh/mesh_materials.h"
 #include "scene/mesh/mesh_vertices.h"
+#include "scene/mesh/mtl.h"
 
 #include <firsthit/error.h>
 
@@ -56,6 +57,7 @@ Scene read_mesh(std::string bytes, const std::string& extension, const std::stri
     Scene scene;
     scene.name = std::filesystem::path(name).filename().string();
     scene.nodes.push_back({.name = scene.name});
+    scene.ambient = glm::vec3(kMeshAmbient);
     scene.warnings = std::move(checked.warnings);
     read_materials(checked, name, folder, !raw.uv.empty(), scene);
 

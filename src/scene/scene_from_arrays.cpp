@@ -85,6 +85,7 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
     scene.name = "arrays";
     scene.nodes.push_back({.name = "arrays"});
     scene.materials.push_back(default_material());
+    scene.ambient = glm::vec3(kMeshAmbient);
     scene.vertices = position.size();
     scene.owner.assign(index.size(), 0);
     Part& part = scene.parts.emplace_back();

@@ -116,7 +116,7 @@ TEST_F(Wave, MovesEveryVertexAndRepeatsAfterTenSeconds)
     }
 }
 
-TEST(Robots, HaveTheCountsTheyPromise)
+TEST(BuiltinRobots, HaveTheCountsTheyPromise)
 {
     const Scene scene = make_robots();
     EXPECT_GE(scene.triangle_count(), 70'000u);
@@ -127,7 +127,7 @@ TEST(Robots, HaveTheCountsTheyPromise)
     EXPECT_NO_THROW(check_scene(scene));
 }
 
-TEST(Robots, AreTheSameEveryTime)
+TEST(BuiltinRobots, AreTheSameEveryTime)
 {
     const Scene a = make_robots();
     const Scene b = make_robots();
@@ -140,7 +140,7 @@ TEST(Robots, AreTheSameEveryTime)
     EXPECT_EQ(a.textures[0].levels[0].texel, b.textures[0].levels[0].texel);
 }
 
-TEST(Robots, HaveTracksThatCoverTheWholeTime)
+TEST(BuiltinRobots, HaveTracksThatCoverTheWholeTime)
 {
     const Scene scene = make_robots();
     for (const Track& track : scene.tracks)
@@ -157,7 +157,7 @@ TEST(Robots, HaveTracksThatCoverTheWholeTime)
         }
 }
 
-TEST(Robots, AreTriangledWithoutHolesInTheWinding)
+TEST(BuiltinRobots, AreTriangledWithoutHolesInTheWinding)
 {
     // Every triangle faces the way of its normals.
     const Scene scene = make_robots();
@@ -172,7 +172,7 @@ TEST(Robots, AreTriangledWithoutHolesInTheWinding)
     EXPECT_EQ(opposed, 0u);
 }
 
-TEST(Robots, TextureHasAllItsLevels)
+TEST(BuiltinRobots, TextureHasAllItsLevels)
 {
     const Scene scene = make_robots();
     ASSERT_FALSE(scene.textures.empty());

@@ -29,6 +29,13 @@ TEST(Mtl, ReadsPhongsNumbers)
     EXPECT_EQ(materials[1].texture, "7");
 }
 
+TEST(Mtl, TakesTheDiffuseColourForAnAmbientOneThatIsMissing)
+{
+    const auto materials = read_mtl("newmtl a\nKd 1 0 0\nnewmtl b\nKa 0 0 1\nKd 1 0 0\n", "m.mtl");
+    EXPECT_EQ(materials[0].material.ambient, glm::vec3(1, 0, 0));
+    EXPECT_EQ(materials[1].material.ambient, glm::vec3(0, 0, 1));
+}
+
 TEST(Mtl, NamesTheLineOfAnError)
 {
     const auto message = [](const char* text) -> std::string {

@@ -58,7 +58,7 @@ Material default_material()
 {
     Material grey;
     grey.name = "grey";
-    grey.ambient = glm::vec3(0.1f);
+    grey.ambient = glm::vec3(0.6f);
     grey.diffuse = glm::vec3(0.6f);
     grey.specular = glm::vec3(0.2f);
     grey.shininess = 30.0f;
@@ -74,30 +74,33 @@ std::vector<MtlMaterial> read_mtl(std::string_view bytes, const std::string& nam
         if (word == "newmtl") {
             MtlMaterial& made = materials.emplace_back();
             made.material.name = text.rest_of_line();
-            made.material.ambient = glm::vec3(0.1f);
+            made.material.ambient = made.material.diffuse;
             continue;
         }
         const bool known = word == "Ka" || word == "Kd" || word == "Ks" || word == "Ns" ||
                            word == "Ni" || word == "d" || word == "Tr" || word == "map_Kd";
         if (!known) continue;
         if (materials.empty()) text.fail(fmt::format("{} stands before any newmtl", word));
-        auto& [material, texture] = materials.back();
-        if (word == "Ka")
+        auto& [material, has_ambient, texture] = materials.back();
+        if (word == "Ka") {
             read_color(text, material.ambient);
-        else if (word == "Kd")
+            has_ambient = true;
+        } else if (word == "Kd") {
             read_color(text, material.diffuse);
-        else if (word == "Ks")
+            if (!has_ambient) material.ambient = material.diffuse;
+        } else if (word == "Ks") {
             read_color(text, material.specular);
-        else if (word == "Ns")
+        } else if (word == "Ns") {
             material.shininess = std::max(0.0f, text.number("Ns"));
-        else if (word == "Ni")
+        } else if (word == "Ni") {
             material.ior = text.number("Ni");
-        else if (word == "Tr")
+        } else if (word == "Tr") {
             material.transmittance = std::clamp(text.number("Tr"), 0.0f, 1.0f);
-        else if (word == "d")
+        } else if (word == "d") {
             material.transmittance = 1.0f - read_opacity(text);
-        else if (word == "map_Kd")
+        } else {
             texture = read_map(text);
+        }
     }
     return materials;
 }

@@ -12,11 +12,16 @@ namespace firsthit {
 /// A material as its library has it; the texture is still a file's name.
 struct MtlMaterial {
     Material material;
+    bool has_ambient = false;
     std::string texture; // map_Kd, relative to the library's folder; empty: none
 };
 
+/// The ambient light of scenes that come without lights. Exporters write Ka 1 1 1 as often as they
+/// leave it out, and mean no more by it than that the material has a colour.
+inline constexpr float kMeshAmbient = 0.18f;
+
 /// Reads newmtl, Ka, Kd, Ks, Ns, Ni, d, Tr and map_Kd; other statements are left out. Numbers are
-/// taken as they are: colours linear, Ns as Phong's exponent.
+/// taken as they are: colours linear, Ns as Phong's exponent. A material without Ka has that of Kd.
 ///
 /// name    of the library, for messages
 /// throws  FileError, SceneError with the line: a number that is none or not finite, a value before
