@@ -71,7 +71,8 @@ struct Theirs {
 
     Theirs(const EyeTriangles& triangles, const Pencil& pencil, int threads)
         : embree(triangles, false, true, threads),
-          items(std::size_t(pencil.width) * std::size_t(pencil.height)), t(items.size())
+          items(std::size_t(pencil.width) * std::size_t(pencil.height)),
+          t(items.size())
     {
     }
 

@@ -68,8 +68,8 @@ inline std::vector<std::uint32_t> brute_items(const World& world, const View& vi
 }
 
 /// The number of samples at which two item buffers differ; prints the first few.
-inline std::size_t differences(const std::vector<std::uint32_t>& ours,
-    const std::vector<std::uint32_t>& theirs, int width)
+inline std::size_t differences(
+    const std::vector<std::uint32_t>& ours, const std::vector<std::uint32_t>& theirs, int width)
 {
     EXPECT_EQ(ours.size(), theirs.size());
     std::size_t count = 0;

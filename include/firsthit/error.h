@@ -6,7 +6,8 @@
 
 namespace firsthit {
 
-/// The root of all errors. The message names what was asked, the value, what is accepted, the place.
+/// The root of all errors. The message names what was asked, the value, what is accepted, the
+/// place.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

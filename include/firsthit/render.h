@@ -15,10 +15,10 @@ namespace firsthit {
 /// What a frame is made with. Items and pictures do not depend on threads, tile size or instruction
 /// set.
 struct Settings {
-    int samples = 1;        // N: N x N regular rays a pixel, 1 to 16
-    bool color = true;      // false: only the planes are made
-    std::vector<Aov> aovs;  // which planes to make
-    int tile_size = 64;     // pixels, a multiple of 8 from 8 to 128
+    int samples = 1;       // N: N x N regular rays a pixel, 1 to 16
+    bool color = true;     // false: only the planes are made
+    std::vector<Aov> aovs; // which planes to make
+    int tile_size = 64;    // pixels, a multiple of 8 from 8 to 128
 };
 
 /// Where a frame's time went and what it counted. Milliseconds. Raster, resolve and shade run tile
@@ -33,12 +33,12 @@ struct Stats {
     double total_ms = 0;
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t in_view = 0;        // triangles whose box holds a sample
-    std::uint64_t tile_entries = 0;   // (triangle, tile) pairs
+    std::uint64_t in_view = 0;         // triangles whose box holds a sample
+    std::uint64_t tile_entries = 0;    // (triangle, tile) pairs
     std::uint64_t uncertain_lanes = 0; // coverage that the float filter left open
     std::uint64_t ambiguous_lanes = 0; // depth order that the float filter left open
-    std::uint64_t exact_calls = 0;    // answered by expansion arithmetic
-    std::uint64_t hits = 0;           // samples with an item
+    std::uint64_t exact_calls = 0;     // answered by expansion arithmetic
+    std::uint64_t hits = 0;            // samples with an item
 };
 
 /// Renders frames; keeps the memory that they share. One frame at a time.
@@ -53,8 +53,8 @@ class Renderer {
     /// Poses the scene and makes the picture. A film's memory is reused by the next call that is
     /// given the same film.
     /// throws  ArgumentError: a size, region, sample count or camera out of range
-    void render(const Scene& scene, double time_s, const View& view, const Settings& settings,
-        Film& film);
+    void render(
+        const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 
     /// The same for a world that is posed already.
     void render(const World& world, const View& view, const Settings& settings, Film& film);
@@ -69,8 +69,8 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The instruction set the kernels use here ("AVX3", "AVX2", "SSE4", "EMU128"), which the environment
-/// variable FIRSTHIT_ISA lowers.
+/// The instruction set the kernels use here ("AVX3", "AVX2", "SSE4", "EMU128"), which the
+/// environment variable FIRSTHIT_ISA lowers.
 std::string instruction_set();
 
 /// The version, "0.1.0".

@@ -21,8 +21,8 @@ namespace firsthit {
 /// No triangle. The value of an item where a ray meets nothing.
 inline constexpr std::uint32_t kNoItem = 0xFFFFFFFFu;
 
-/// A picture wrapped around triangles: RGBA, 8 bits, sRGB, row 0 at the top, repeated outside [0, 1].
-/// levels[0] is the picture; each next level is half as wide and high (at least 1), averaged in
+/// A picture wrapped around triangles: RGBA, 8 bits, sRGB, row 0 at the top, repeated outside [0,
+/// 1]. levels[0] is the picture; each next level is half as wide and high (at least 1), averaged in
 /// linear light.
 struct Texture {
     struct Level {
@@ -56,33 +56,36 @@ struct TrackKey {
     double bias = 0;
 };
 
-/// The movement of a node: matrix = T * R * S, a missing part is the identity. As in BART, the first
-/// and the last key of a part only shape the end tangents (see src/scene/track.h).
+/// The movement of a node: matrix = T * R * S, a missing part is the identity. As in BART, the
+/// first and the last key of a part only shape the end tangents (see src/scene/track.h).
 struct Track {
     std::string name;
     std::vector<TrackKey> translation;
     std::vector<TrackKey> rotation;
     std::vector<TrackKey> scale;
-    std::vector<std::pair<double, bool>> visibility; // steps: (time, visible); visible before the first
+    std::vector<std::pair<double, bool>>
+        visibility; // steps: (time, visible); visible before the first
 };
 
 /// A coordinate frame. Parents come before their children.
 struct Node {
     std::string name;
-    std::int32_t parent = -1;  // -1: the world
-    glm::dmat4 local{1.0};     // parent_from_node, where there is no track
-    std::int32_t track = -1;   // replaces local where >= 0
+    std::int32_t parent = -1; // -1: the world
+    glm::dmat4 local{1.0};    // parent_from_node, where there is no track
+    std::int32_t track = -1;  // replaces local where >= 0
 };
 
-/// A part's shape at one time: the shape between two keys is interpolated linearly, clamped outside.
+/// A part's shape at one time: the shape between two keys is interpolated linearly, clamped
+/// outside.
 struct MorphKey {
     double time_s = 0;
     std::vector<glm::vec3> position;
     std::vector<glm::vec3> normal;
 };
 
-/// Writes the object-space positions and unit normals of the part's vertices [first, last) at a time.
-/// position[0] and normal[0] are vertex `first`. Called from several threads for disjoint ranges.
+/// Writes the object-space positions and unit normals of the part's vertices [first, last) at a
+/// time. position[0] and normal[0] are vertex `first`. Called from several threads for disjoint
+/// ranges.
 using Deform = std::function<void(
     double time_s, std::size_t first, std::size_t last, glm::vec3* position, glm::vec3* normal)>;
 
@@ -96,7 +99,7 @@ struct Part {
     std::uint32_t first_triangle = 0;
     std::uint32_t triangle_count = 0;
     std::vector<MorphKey> morph; // empty: rigid
-    Deform deform;               // set: writes the part's vertices, the arrays of the scene are unused
+    Deform deform; // set: writes the part's vertices, the arrays of the scene are unused
 };
 
 /// A point light without fall-off, as in the paper's scenes.
@@ -119,10 +122,10 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<PointLight> lights;
 
-    std::vector<glm::vec3> position; // (V) object space
-    std::vector<glm::vec3> normal;   // (V) unit, object space
-    std::vector<glm::vec2> uv;       // (V), or empty where no part has a texture
-    std::vector<glm::uvec3> index;   // (T) into position, counter-clockwise = front
+    std::vector<glm::vec3> position;  // (V) object space
+    std::vector<glm::vec3> normal;    // (V) unit, object space
+    std::vector<glm::vec2> uv;        // (V), or empty where no part has a texture
+    std::vector<glm::uvec3> index;    // (T) into position, counter-clockwise = front
     std::vector<std::uint32_t> owner; // (T) the part of each triangle
 
     std::optional<Camera> camera; // none: see framing_camera
@@ -151,8 +154,8 @@ struct World {
     std::vector<glm::vec3> normal;   // (V) unit
     std::vector<PointLight> lights;
     Camera camera;
-    std::vector<glm::dmat4> node_matrix;      // (nodes) world_from_node
-    std::vector<std::uint8_t> node_visible;   // (nodes)
+    std::vector<glm::dmat4> node_matrix;    // (nodes) world_from_node
+    std::vector<std::uint8_t> node_visible; // (nodes)
 };
 
 /// How files become scenes.
@@ -177,10 +180,11 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
 
 /// Poses the scene at a time, clamped to nothing: tracks clamp themselves. Deterministic, whatever
 /// the number of threads; writes into `world` and allocates nothing once its sizes have settled.
-/// A part of an invisible node collapses to a point, which no ray hits. A scene without a camera gets
-/// framing_camera's.
+/// A part of an invisible node collapses to a point, which no ray hits. A scene without a camera
+/// gets framing_camera's.
 ///
-/// throws  SceneError: a posed coordinate that is not finite (names the part), an index out of range
+/// throws  SceneError: a posed coordinate that is not finite (names the part), an index out of
+/// range
 ///         ArgumentError: a time that is not finite
 void pose(const Scene& scene, double time_s, World& world, int threads = 1);
 

@@ -11,7 +11,8 @@ namespace firsthit {
 
 /// An array of trivial elements, aligned to 64 bytes. Fresh memory is not touched, so what is
 /// reserved and never used costs address space only.
-template <class T> class Buffer {
+template <class T>
+class Buffer {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
   public:

@@ -16,7 +16,8 @@ namespace firsthit {
 namespace {
 
 /// Calls f(target) for what is compiled in and runs here, the best first.
-template <class F> void for_targets(const F& f)
+template <class F>
+void for_targets(const F& f)
 {
     for (std::uint64_t rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest;
          rest &= rest - 1)

@@ -1,6 +1,7 @@
 // tasks.h - runs loops on a fixed number of threads (oneTBB).
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <thread>
 
 namespace firsthit {
@@ -16,17 +18,19 @@ namespace firsthit {
 class Tasks {
   public:
     /// threads  0: one for each core
-    explicit Tasks(int threads)
-        : threads_(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()))),
-          arena_(threads_)
+    explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores()), arena_(threads_)
     {
+        // TBB keeps to the number of cores unless told otherwise.
+        if (threads_ > cores())
+            more_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads_));
     }
 
     int threads() const { return threads_; }
 
     /// Calls body(i, worker) for each i in [0, count), as workers become free. worker is below
     /// threads(), and no two calls with the same worker overlap.
-    template <class Body> void for_each(std::size_t count, const Body& body)
+    template <class Body>
+    void for_each(std::size_t count, const Body& body)
     {
         if (threads_ == 1 || count <= 1) {
             for (std::size_t i = 0; i < count; ++i) body(i, std::size_t(0));
@@ -44,7 +48,8 @@ class Tasks {
     }
 
     /// Calls body(first, last) for ranges of `grain` that cover [0, count).
-    template <class Body> void for_ranges(std::size_t count, std::size_t grain, const Body& body)
+    template <class Body>
+    void for_ranges(std::size_t count, std::size_t grain, const Body& body)
     {
         for_each((count + grain - 1) / grain, [&](std::size_t range, std::size_t) {
             body(range * grain, std::min(count, (range + 1) * grain));
@@ -52,7 +57,10 @@ class Tasks {
     }
 
   private:
+    static int cores() { return std::max(1, int(std::thread::hardware_concurrency())); }
+
     int threads_;
+    std::optional<tbb::global_control> more_;
     tbb::task_arena arena_;
 };
 

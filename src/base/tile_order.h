@@ -28,8 +28,14 @@ constexpr int block_offset(int x, int y)
 }
 
 /// Inverse of block_offset.
-constexpr int block_x(int offset) { return ((offset >> 4) & 1) * 4 + (offset & 3); }
-constexpr int block_y(int offset) { return (offset >> 5) * 4 + ((offset >> 2) & 3); }
+constexpr int block_x(int offset)
+{
+    return ((offset >> 4) & 1) * 4 + (offset & 3);
+}
+constexpr int block_y(int offset)
+{
+    return (offset >> 5) * 4 + ((offset >> 2) & 3);
+}
 
 /// Offset inside a tile that is `tile_size` samples wide.
 constexpr int tile_offset(int x, int y, int tile_size)

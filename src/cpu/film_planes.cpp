@@ -24,14 +24,16 @@ struct PixelRect {
 PixelRect pixels_of(const TilePlace& place)
 {
     const int side = place.view.tile_size / place.samples;
-    const int x = place.tile % place.view.tiles_x * side, y = place.tile / place.view.tiles_x * side;
+    const int x = place.tile % place.view.tiles_x * side,
+              y = place.tile / place.view.tiles_x * side;
     return {place.part.x - place.region.x + x, place.part.y - place.region.y + y,
         std::min(side, place.part.width - x), std::min(side, place.part.height - y)};
 }
 
 /// Calls f(pixel in the film, offset in the tile, count) for runs of 4 pixels of a row, or fewer at
 /// the picture's edge; samples = 1. count is a constant 4 in all calls but the last of a row.
-template <class F> void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
+template <class F>
+void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
 {
     for (int y = 0; y < rect.height; ++y) {
         std::size_t pixel =
@@ -55,7 +57,8 @@ void copy_plane(const PixelRect& rect, int film_width, int tile_size,
 }
 
 /// The mean colour of each pixel's samples.
-void average_color(const PixelRect& rect, const TilePlace& place, const std::array<const float*, 3>& from, Film& film)
+void average_color(const PixelRect& rect, const TilePlace& place,
+    const std::array<const float*, 3>& from, Film& film)
 {
     const int n = place.samples;
     const float share = 1.0f / float(n * n);
@@ -69,7 +72,7 @@ void average_color(const PixelRect& rect, const TilePlace& place, const std::arr
                 }
             }
             const std::size_t pixel = std::size_t(rect.film_y + y) * std::size_t(film.width) +
-                std::size_t(rect.film_x + x);
+                                      std::size_t(rect.film_x + x);
             for (std::size_t c = 0; c < 3; ++c) film.color.value[pixel * 3 + c] = sum[c] * share;
         }
     }

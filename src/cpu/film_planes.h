@@ -25,7 +25,8 @@ void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
 
 /// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples,
 /// summed in a fixed order. The other planes need samples = 1.
-void store_tile(const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film);
+void store_tile(
+    const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film);
 
 /// Samples with an item.
 std::uint64_t count_hits(const HitTile& hits);

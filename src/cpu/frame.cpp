@@ -37,8 +37,7 @@ void see_triangles(const World& world, const View& view, const Region& part, int
     memory.tiles_y = (memory.pencil.height + tile_size - 1) / tile_size;
     const int longest = std::max(memory.pencil.width, memory.pencil.height);
     memory.tile_of.resize(std::size_t(longest));
-    for (int k = 0; k < longest; ++k)
-        memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
+    for (int k = 0; k < longest; ++k) memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
     project_vertices(world.position, memory, tasks);
     bin_triangles(world.scene->index, memory, tasks);
 }
@@ -127,7 +126,8 @@ void render_frame(const World& world, const View& view, const Settings& settings
     film.width = view.region.width;
     film.height = view.region.height;
     clear_unused(film, settings.color, settings.aovs);
-    // Planes are of the ray through the pixel's centre: with several samples they are a second pass.
+    // Planes are of the ray through the pixel's centre: with several samples they are a second
+    // pass.
     const bool together = settings.samples == 1;
     const std::span<const Aov> aovs = settings.aovs;
     if (settings.color || together)

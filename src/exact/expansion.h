@@ -33,7 +33,8 @@ inline DoubleSum two_product(double a, double b)
 }
 
 /// At most N components. Adding more than N single doubles overruns: choose N by counting.
-template <int N> class Expansion {
+template <int N>
+class Expansion {
   public:
     int size() const { return size_; }
     double operator[](int i) const { return component_[i]; }
@@ -72,13 +73,15 @@ template <int N> class Expansion {
         add(p.high);
     }
 
-    template <int M> void add(const Expansion<M>& other)
+    template <int M>
+    void add(const Expansion<M>& other)
     {
         for (int i = 0; i < other.size(); ++i) add(other[i]);
     }
 
     /// Adds factor * other.
-    template <int M> void add_scaled(const Expansion<M>& other, double factor)
+    template <int M>
+    void add_scaled(const Expansion<M>& other, double factor)
     {
         for (int i = 0; i < other.size(); ++i) add_product(other[i], factor);
     }

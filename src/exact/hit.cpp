@@ -67,15 +67,16 @@ InverseDepth inverse_depth(const Corners& c, const vec3& d)
                  e2z = double(c[2].z) - double(c[0].z);
     const double dx = d.x, dy = d.y, dz = d.z;
     const double det = ((e1y * e2z - e1z * e2y) * dx + (e1z * e2x - e1x * e2z) * dy) +
-        (e1x * e2y - e1y * e2x) * dz;
+                       (e1x * e2y - e1y * e2x) * dz;
     const double det_size = (std::abs(e1y * e2z) + std::abs(e1z * e2y)) * std::abs(dx) +
-        (std::abs(e1z * e2x) + std::abs(e1x * e2z)) * std::abs(dy) +
-        (std::abs(e1x * e2y) + std::abs(e1y * e2x)) * std::abs(dz);
+                            (std::abs(e1z * e2x) + std::abs(e1x * e2z)) * std::abs(dy) +
+                            (std::abs(e1x * e2y) + std::abs(e1y * e2x)) * std::abs(dz);
 
     const auto n = cross_terms(c[1], c[2]);
     double volume = 0, volume_size = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double term = double(c[0][axis]) * (n[std::size_t(axis)].plus - n[std::size_t(axis)].minus);
+        const double term =
+            double(c[0][axis]) * (n[std::size_t(axis)].plus - n[std::size_t(axis)].minus);
         volume += term;
         volume_size += std::abs(term);
     }
@@ -117,8 +118,8 @@ int compare_depth_fast(const Corners& a, const Corners& b, const vec3& d)
     const double error = (ia.det_error * ib.volume + ia.det * ib.volume_error +
                              ib.det_error * ia.volume + ib.det * ia.volume_error +
                              ia.det_error * ib.volume_error + ib.det_error * ia.volume_error) *
-            (1 + 16 * kUlp) +
-        4 * kUlp * (left + right);
+                             (1 + 16 * kUlp) +
+                         4 * kUlp * (left + right);
     if (left - right > error) return -1;
     if (right - left > error) return 1;
     return 0;

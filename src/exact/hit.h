@@ -1,22 +1,23 @@
 // hit.h - does a ray hit a triangle, and which of two triangles does it hit first? The one place
-// where that is decided: the rasteriser, the shadow pass and the oracles all call these functions or
-// a filter that is proven to agree with them.
+// where that is decided: the rasteriser, the shadow pass and the oracles all call these functions
+// or a filter that is proven to agree with them.
 //
-// A ray starts at the origin and has the direction d. A triangle is three float vertices relative to
-// the ray's origin; these floats are taken as exact. Everything below is what real arithmetic says
-// of them, whatever the rounding.
+// A ray starts at the origin and has the direction d. A triangle is three float vertices relative
+// to the ray's origin; these floats are taken as exact. Everything below is what real arithmetic
+// says of them, whatever the rounding.
 //
 //   edge(a, b, d) = d . (a x b)        six times the signed volume of (origin, a, b, d)
 //   volume        = v0 . (v1 x v2)     zero: the origin is in the triangle's plane: no hit
 //   hit           iff edge(v0, v1), edge(v1, v2), edge(v2, v0) all have the sign of volume
 //   depth         1 / t = (N . d) / volume, N = (v1 - v0) x (v2 - v0)
 //
-// Where an edge is exactly zero, the ray is displaced: the direction (d.x + e, d.y + e^2, d.z + e^3)
-// for an infinitesimal e > 0 decides. This is one displacement for all edges of all triangles, so a
-// ray through a shared edge or vertex hits exactly one triangle of a fan, and a closed surface is
-// crossed an even number of times. A rule for each edge by itself is not consistent at vertices.
+// Where an edge is exactly zero, the ray is displaced: the direction (d.x + e, d.y + e^2, d.z +
+// e^3) for an infinitesimal e > 0 decides. This is one displacement for all edges of all triangles,
+// so a ray through a shared edge or vertex hits exactly one triangle of a fan, and a closed surface
+// is crossed an even number of times. A rule for each edge by itself is not consistent at vertices.
 //
-// source  Davidovic et al. 2012, "3D Rasterization: A Bridge between Rasterization and Ray Casting",
+// source  Davidovic et al. 2012, "3D Rasterization: A Bridge between Rasterization and Ray
+// Casting",
 //         Graphics Interface (edges as volumes); Olano and Greer 1997, "Triangle Scan Conversion
 //         using 2D Homogeneous Coordinates" (no clipping); Edelsbrunner and Mücke 1990, "Simulation
 //         of Simplicity" (displacement)
@@ -48,7 +49,10 @@ inline bool usable(const glm::vec3& p)
     return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
 }
 
-inline bool usable(const Corners& c) { return usable(c[0]) && usable(c[1]) && usable(c[2]); }
+inline bool usable(const Corners& c)
+{
+    return usable(c[0]) && usable(c[1]) && usable(c[2]);
+}
 
 /// Sign of d . (a x b) by expansions; 0 where it is exactly zero and `displaced` is false or the
 /// edge has no direction.
@@ -64,7 +68,8 @@ inline int edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d,
     const double px = nx * double(d.x), py = ny * double(d.y), pz = nz * double(d.z);
     const double e = (px + py) + pz;
     // Each term carries at most four roundings.
-    if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz))) return e > 0 ? 1 : -1;
+    if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz)))
+        return e > 0 ? 1 : -1;
     ++effort.exact_calls;
     return exact_edge_sign(a, b, d, true);
 }
@@ -78,7 +83,8 @@ inline int volume_sign(const Corners& c, Effort& effort)
     const double nz = double(a.x) * double(b.y) - double(a.y) * double(b.x);
     const double px = nx * double(d.x), py = ny * double(d.y), pz = nz * double(d.z);
     const double e = (px + py) + pz;
-    if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz))) return e > 0 ? 1 : -1;
+    if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz)))
+        return e > 0 ? 1 : -1;
     ++effort.exact_calls;
     return exact_edge_sign(a, b, d, false);
 }
@@ -89,7 +95,7 @@ inline bool is_hit(const Corners& c, const glm::vec3& d, Effort& effort)
     if (!usable(c)) return false;
     const int facing = volume_sign(c, effort);
     return facing != 0 && edge_sign(c[0], c[1], d, effort) == facing &&
-        edge_sign(c[1], c[2], d, effort) == facing && edge_sign(c[2], c[0], d, effort) == facing;
+           edge_sign(c[1], c[2], d, effort) == facing && edge_sign(c[2], c[0], d, effort) == facing;
 }
 
 /// Which of two triangles, both hit by the ray along d, is hit first: -1 for a, 1 for b, 0 where

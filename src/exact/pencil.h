@@ -27,9 +27,9 @@ struct Pencil {
 /// The widest and highest rectangle that is rasterised at once, in samples.
 inline constexpr int kMaxPencil = 8192;
 
-/// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which are
-/// the pixel rays of a picture `samples` times as wide and high.
-/// throws  ArgumentError: a camera without a direction, or a field of view out of range
+/// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which
+/// are the pixel rays of a picture `samples` times as wide and high. throws  ArgumentError: a
+/// camera without a direction, or a field of view out of range
 Pencil pencil_of(const View& view, const Region& region, int samples);
 
 } // namespace firsthit

@@ -24,8 +24,8 @@ struct HitRun {
 struct TileFrame {
     float x0 = 0; // of the tile's first sample; a multiple of 1/2, exact
     float y0 = 0;
-    float inv_f = 1;          // 1 / f, f in samples
-    glm::vec3 eye{0};         // world space
+    float inv_f = 1;             // 1 / f, f in samples
+    glm::vec3 eye{0};            // world space
     glm::mat3 world_from_eye{1}; // columns: right, down, forward; orthonormal
 };
 

@@ -130,7 +130,8 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
     const int lanes = int(hn::Lanes(d));
     const int block_x = int(run.block) % items.blocks_x() * kBlock;
     const int block_y = int(run.block) / items.blocks_x() * kBlock;
-    const auto x0 = hn::Set(d, double(items.x0) + block_x), y0 = hn::Set(d, double(items.y0) + block_y);
+    const auto x0 = hn::Set(d, double(items.x0) + block_x),
+               y0 = hn::Set(d, double(items.y0) + block_y);
     const auto plane = [&](const double(&n)[3][kRuns], auto x, auto y) {
         return hn::Add(hn::Add(hn::Mul(hn::Set(d, n[0][i]), x), hn::Mul(hn::Set(d, n[1][i]), y)),
             hn::Set(d, n[2][i]));

@@ -43,9 +43,9 @@ struct FacedTriangle {
     std::array<EdgePlane, 3> edge;
     std::array<double, 3> y, z; // of the corners
 
-    /// Whether no ray (dx, dy, 1) with dx in [first, last] can hit: all corners are certainly on one
-    /// side of the plane y = dy z of these rays, or one edge, affine in dx, is certainly negative at
-    /// both ends.
+    /// Whether no ray (dx, dy, 1) with dx in [first, last] can hit: all corners are certainly on
+    /// one side of the plane y = dy z of these rays, or one edge, affine in dx, is certainly
+    /// negative at both ends.
     bool misses_row(double first, double last, double dy) const
     {
         int above = 0, below = 0;
@@ -79,8 +79,9 @@ std::vector<FacedTriangle> face(const EyeTriangles& triangles)
         if (!usable(c)) continue;
         const int facing = volume_sign(c, effort);
         if (facing == 0) continue;
-        faced.push_back({std::uint32_t(t), {edge_plane(c[0], c[1], facing),
-            edge_plane(c[1], c[2], facing), edge_plane(c[2], c[0], facing)},
+        faced.push_back({std::uint32_t(t),
+            {edge_plane(c[0], c[1], facing), edge_plane(c[1], c[2], facing),
+                edge_plane(c[2], c[0], facing)},
             {c[0].y, c[1].y, c[2].y}, {c[0].z, c[1].z, c[2].z}});
     }
     return faced;

@@ -56,8 +56,8 @@ EmbreeCaster::EmbreeCaster(const EyeTriangles& triangles, bool robust, bool dyna
         e.geometry, dynamic ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
     e.vertex = static_cast<float*>(rtcSetNewGeometryBuffer(e.geometry, RTC_BUFFER_TYPE_VERTEX, 0,
         RTC_FORMAT_FLOAT3, 3 * sizeof(float), triangles.corner.size() + 1));
-    auto* index = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(e.geometry, RTC_BUFFER_TYPE_INDEX,
-        0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.index.size()));
+    auto* index = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(e.geometry,
+        RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.index.size()));
     e.check();
     e.copy_corners(triangles);
     std::copy(triangles.index.begin(), triangles.index.end(), index);
@@ -107,7 +107,7 @@ void cast_packet(RTCScene scene, RTCIntersectContext& context, const Pencil& pen
     for (int k = 0; k < 8; ++k) {
         if (!valid[k]) continue;
         const std::size_t at = std::size_t(y0 + k / kPacketX) * std::size_t(pencil.width) +
-            std::size_t(x0 + k % kPacketX);
+                               std::size_t(x0 + k % kPacketX);
         const bool hit = packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         items[at] = hit ? packet.hit.primID[k] : kNoItem;
         if (!t.empty()) t[at] = packet.ray.tfar[k];

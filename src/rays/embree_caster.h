@@ -21,7 +21,8 @@ class EmbreeCaster {
     void refit(const EyeTriangles& triangles);
 
     /// Nearest triangle for every ray of the pencil, 4x2 rays a packet, coherent. t may be empty.
-    void cast(const Pencil& pencil, std::span<std::uint32_t> items, std::span<float> t, Tasks& tasks);
+    void cast(
+        const Pencil& pencil, std::span<std::uint32_t> items, std::span<float> t, Tasks& tasks);
 
   private:
     struct Impl;

@@ -41,8 +41,8 @@ View checked(const View& view)
 void check(const Settings& settings)
 {
     if (settings.samples < 1 || settings.samples > kMaxSamples)
-        throw ArgumentError(fmt::format(
-            "{} samples is out of range: 1 to {}", settings.samples, kMaxSamples));
+        throw ArgumentError(
+            fmt::format("{} samples is out of range: 1 to {}", settings.samples, kMaxSamples));
     if (settings.tile_size < 8 || settings.tile_size > 128 || settings.tile_size % 8 != 0)
         throw ArgumentError(fmt::format(
             "tile size {} is not accepted: a multiple of 8 from 8 to 128", settings.tile_size));

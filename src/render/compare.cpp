@@ -39,8 +39,8 @@ bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, con
 {
     Effort effort;
     return a != kNoItem && b != kNoItem && is_hit(triangles[a], d, effort) &&
-        is_hit(triangles[b], d, effort) &&
-        compare_depth(triangles[a], triangles[b], d, effort) == 0;
+           is_hit(triangles[b], d, effort) &&
+           compare_depth(triangles[a], triangles[b], d, effort) == 0;
 }
 
 } // namespace
@@ -65,8 +65,7 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
     project_vertices(world.position, eye, tasks);
     const EyeTriangles triangles{
         eye.corner.span().first(world.position.size()), world.scene->index};
-    const std::vector<std::uint32_t> theirs =
-        cast(oracle, triangles, eye.pencil, tasks, progress);
+    const std::vector<std::uint32_t> theirs = cast(oracle, triangles, eye.pencil, tasks, progress);
 
     Comparison result;
     result.pixels = theirs.size();

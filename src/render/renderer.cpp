@@ -38,8 +38,8 @@ struct Renderer::Impl {
 Renderer::Renderer(int threads) : impl_(std::make_unique<Impl>(threads)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::render(const Scene& scene, double time_s, const View& view, const Settings& settings,
-    Film& film)
+void Renderer::render(
+    const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film)
 {
     Stopwatch total, watch;
     impl_->stats = {};
@@ -57,8 +57,14 @@ void Renderer::render(const World& world, const View& view, const Settings& sett
     impl_->stats.total_ms = total.lap_ms();
 }
 
-const Stats& Renderer::stats() const { return impl_->stats; }
+const Stats& Renderer::stats() const
+{
+    return impl_->stats;
+}
 
-int Renderer::threads() const { return impl_->tasks.threads(); }
+int Renderer::threads() const
+{
+    return impl_->tasks.threads();
+}
 
 } // namespace firsthit

@@ -7,8 +7,8 @@
 
 namespace firsthit {
 
-/// Where shading writes: linear Rec.709, tile order, 64-byte aligned, or null where nothing is asked.
-/// Samples without an item get the background's colour, and 0 in the other planes.
+/// Where shading writes: linear Rec.709, tile order, 64-byte aligned, or null where nothing is
+/// asked. Samples without an item get the background's colour, and 0 in the other planes.
 struct ShadeTargets {
     /// Whether anything is asked for.
     bool any() const

@@ -13,8 +13,8 @@ constexpr std::size_t kRange = 8192;
 
 /// The triangle's samples, or an empty box: the corners' boxes decide in three loads and two minima
 /// (saturation is not needed: first <= 8192, minus_last <= 1).
-inline bool box_of(std::uint32_t triangle, const glm::uvec3& corner, const ViewMemory& memory,
-    InView& box)
+inline bool box_of(
+    std::uint32_t triangle, const glm::uvec3& corner, const ViewMemory& memory, InView& box)
 {
     const VertexBox &a = memory.box[corner.x], &b = memory.box[corner.y], &c = memory.box[corner.z];
     const std::int16_t x0 = std::min({a.first_x, b.first_x, c.first_x});
@@ -23,8 +23,8 @@ inline bool box_of(std::uint32_t triangle, const glm::uvec3& corner, const ViewM
     const std::int16_t my1 = std::min({a.minus_last_y, b.minus_last_y, c.minus_last_y});
     if (x0 == VertexBox::kBehind) [[unlikely]] {
         const auto eye = [&](std::uint32_t v) { return glm::vec3(memory.corner[v]); };
-        const auto found = careful_box(
-            triangle, {eye(corner.x), eye(corner.y), eye(corner.z)}, memory.pencil);
+        const auto found =
+            careful_box(triangle, {eye(corner.x), eye(corner.y), eye(corner.z)}, memory.pencil);
         if (found) box = *found;
         return found.has_value();
     }
@@ -33,7 +33,8 @@ inline bool box_of(std::uint32_t triangle, const glm::uvec3& corner, const ViewM
     return true;
 }
 
-template <class F> void for_tiles(const InView& box, const ViewMemory& memory, const F& f)
+template <class F>
+void for_tiles(const InView& box, const ViewMemory& memory, const F& f)
 {
     const int tx0 = memory.tile_of[std::size_t(box.x0)], tx1 = memory.tile_of[std::size_t(box.x1)];
     const int ty0 = memory.tile_of[std::size_t(box.y0)], ty1 = memory.tile_of[std::size_t(box.y1)];
@@ -86,8 +87,8 @@ void scatter_range(std::size_t range, ViewMemory& memory)
             const auto local = [size](int sample, int tile) {
                 return std::uint8_t(std::clamp(sample - tile * size, 0, size - 1));
             };
-            memory.entry[cursor[ty * memory.tiles_x + tx]++] = {box->triangle,
-                local(box->x0, tx), local(box->y0, ty), local(box->x1, tx), local(box->y1, ty)};
+            memory.entry[cursor[ty * memory.tiles_x + tx]++] = {box->triangle, local(box->x0, tx),
+                local(box->y0, ty), local(box->x1, tx), local(box->y1, ty)};
         });
     }
 }

@@ -32,7 +32,8 @@ Interval project_front(const Corners& corners, int axis)
         for (std::size_t j = 0; j < 3; ++j) {
             const glm::vec3& b = corners[j];
             if (b.z > 0) continue;
-            const double ahead = double(b[axis]) * double(a.z), back = double(a[axis]) * double(b.z);
+            const double ahead = double(b[axis]) * double(a.z),
+                         back = double(a[axis]) * double(b.z);
             if (ahead > back) seen.high = std::numeric_limits<double>::infinity();
             if (ahead < back) seen.low = -std::numeric_limits<double>::infinity();
         }
@@ -42,8 +43,8 @@ Interval project_front(const Corners& corners, int axis)
 
 /// First and last of `count` samples inside the interval, whose directions start at `origin`.
 /// False where there is none.
-bool samples_inside(const Interval& seen, double origin, int count, std::int16_t& first,
-    std::int16_t& last)
+bool samples_inside(
+    const Interval& seen, double origin, int count, std::int16_t& first, std::int16_t& last)
 {
     constexpr double kMargin = 0x1p-12; // as in project.cpp
     const double low = std::ceil(seen.low - origin - kMargin);
@@ -56,8 +57,8 @@ bool samples_inside(const Interval& seen, double origin, int count, std::int16_t
 
 } // namespace
 
-std::optional<InView> careful_box(std::uint32_t triangle, const Corners& corners,
-    const Pencil& pencil)
+std::optional<InView> careful_box(
+    std::uint32_t triangle, const Corners& corners, const Pencil& pencil)
 {
     if (!usable(corners)) return std::nullopt;
     InView box{triangle, 0, 0, 0, 0};

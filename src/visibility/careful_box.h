@@ -9,7 +9,7 @@
 namespace firsthit {
 
 /// A box that holds every sample hit by the triangle, or nothing where no sample can be hit.
-std::optional<InView> careful_box(std::uint32_t triangle, const Corners& corners,
-    const Pencil& pencil);
+std::optional<InView> careful_box(
+    std::uint32_t triangle, const Corners& corners, const Pencil& pencil);
 
 } // namespace firsthit

@@ -72,15 +72,15 @@ struct TileCounts {
 
 /// One worker's tile. w and item are in tile order (tile_order.h).
 struct ItemTile {
-    int size = 0;   // samples on a side
-    float x0 = 0;   // direction of the first sample
+    int size = 0; // samples on a side
+    float x0 = 0; // direction of the first sample
     float y0 = 0;
     Buffer<float> w;            // 1/t, 0 = nothing yet
     Buffer<std::uint32_t> item; // kNoItem = nothing yet
     /// Least w of each block, or less. A register may be read from any block on.
     alignas(64) float block_w[(kMaxTile / kBlock) * (kMaxTile / kBlock) + 8];
-    std::uint64_t stale[4];  // blocks whose block_w may be too small, a bit each
-    float least_w = 0;       // of all blocks, or less
+    std::uint64_t stale[4]; // blocks whose block_w may be too small, a bit each
+    float least_w = 0;      // of all blocks, or less
     alignas(64) std::int32_t column_offset[kMaxTile]; // tile_offset(x, y) = column + row
     alignas(64) std::int32_t row_offset[kMaxTile];
 

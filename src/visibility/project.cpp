@@ -20,7 +20,8 @@ using Whole = hn::Rebind<std::int32_t, Wide>;
 constexpr double kMargin = 0x1p-12;
 
 /// The first sample at or after s and minus the last at or before it, both clamped to [0, count).
-template <class V> void sample_range(V s, int count, V& first, V& minus_last)
+template <class V>
+void sample_range(V s, int count, V& first, V& minus_last)
 {
     const Wide d;
     const V margin = hn::Set(d, kMargin);
@@ -44,8 +45,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto pz = hn::Sub(hn::PromoteTo(d, zf), hn::Set(d, pencil.eye.z));
     const auto row = [&](int r) {
         const glm::dmat3& m = pencil.eye_from_world;
-        const auto xy = hn::Add(
-            hn::Mul(hn::Set(d, m[0][r]), px), hn::Mul(hn::Set(d, m[1][r]), py));
+        const auto xy = hn::Add(hn::Mul(hn::Set(d, m[0][r]), px), hn::Mul(hn::Set(d, m[1][r]), py));
         return hn::DemoteTo(f, hn::Add(xy, hn::Mul(hn::Set(d, m[2][r]), pz)));
     };
     const auto x = row(0), y = row(1), z = row(2);
@@ -53,28 +53,30 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
 
     // Where the vertex stands among the samples. NaN and infinity take the careful way.
     const auto limit = hn::Set(f, kFarthest);
-    const auto finite = hn::And(hn::Lt(hn::Abs(x), limit),
-        hn::And(hn::Lt(hn::Abs(y), limit), hn::Lt(hn::Abs(z), limit)));
+    const auto finite = hn::And(
+        hn::Lt(hn::Abs(x), limit), hn::And(hn::Lt(hn::Abs(y), limit), hn::Lt(hn::Abs(z), limit)));
     const auto in_front = hn::And(finite, hn::Gt(z, hn::Zero(f)));
     const auto zd = hn::PromoteTo(d, hn::IfThenElse(in_front, z, hn::Set(f, 1.0f)));
     const auto xd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, x));
     const auto yd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, y));
     auto first_x = zd, first_y = zd, minus_last_x = zd, minus_last_y = zd;
-    sample_range(hn::Sub(hn::Div(xd, zd), hn::Set(d, pencil.x0)), pencil.width, first_x, minus_last_x);
-    sample_range(hn::Sub(hn::Div(yd, zd), hn::Set(d, pencil.y0)), pencil.height, first_y, minus_last_y);
+    sample_range(
+        hn::Sub(hn::Div(xd, zd), hn::Set(d, pencil.x0)), pencil.width, first_x, minus_last_x);
+    sample_range(
+        hn::Sub(hn::Div(yd, zd), hn::Set(d, pencil.y0)), pencil.height, first_y, minus_last_y);
 
     const auto whole = [&](auto v) { return hn::DemoteTo(w, v); };
     const auto pair = [&](auto low, auto high) {
         return hn::Or(hn::And(low, hn::Set(w, 0xFFFF)), hn::ShiftLeft<16>(high));
     };
     const auto front = hn::RebindMask(w, in_front);
-    const auto first = pair(hn::IfThenElse(front, whole(first_x), hn::Set(w, VertexBox::kBehind)),
-        whole(first_y));
+    const auto first =
+        pair(hn::IfThenElse(front, whole(first_x), hn::Set(w, VertexBox::kBehind)), whole(first_y));
     hn::StoreInterleaved2(first, pair(whole(minus_last_x), whole(minus_last_y)), w, box);
 }
 
-void project_range(const glm::vec3* position, std::size_t first, std::size_t last,
-    ViewMemory& memory)
+void project_range(
+    const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
 {
     const std::size_t lanes = hn::Lanes(Wide());
     for (std::size_t v = first; v < last; v += lanes) {

@@ -25,10 +25,19 @@ using Samples = hn::CappedTag<float, 16>;
 /// As many as there are doubles in a register.
 using WideSamples = hn::Rebind<float, hn::CappedTag<double, 8>>;
 
-template <class D> constexpr int columns(D d) { return std::min<int>(4, hn::MaxLanes(d)); }
-template <class D> constexpr int rows(D d) { return std::max<int>(1, int(hn::MaxLanes(d)) / 4); }
+template <class D>
+constexpr int columns(D d)
+{
+    return std::min<int>(4, hn::MaxLanes(d));
+}
+template <class D>
+constexpr int rows(D d)
+{
+    return std::max<int>(1, int(hn::MaxLanes(d)) / 4);
+}
 
-template <class D> HWY_INLINE std::uint64_t bits(D d, hn::Mask<D> mask)
+template <class D>
+HWY_INLINE std::uint64_t bits(D d, hn::Mask<D> mask)
 {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
@@ -38,7 +47,8 @@ template <class D> HWY_INLINE std::uint64_t bits(D d, hn::Mask<D> mask)
 }
 
 /// Sample offsets within a register.
-template <class D> struct LaneOffsets {
+template <class D>
+struct LaneOffsets {
     hn::Vec<D> x, y;
     explicit LaneOffsets(D d)
     {
@@ -59,8 +69,7 @@ struct Box {
 
 /// 1/t of a register's samples: float where that is certain, else rounded once from double.
 template <bool kWide, class D>
-HWY_INLINE hn::Vec<D> inverse_depth(
-    D d, const Batch& batch, int i, hn::Vec<D> x, hn::Vec<D> y)
+HWY_INLINE hn::Vec<D> inverse_depth(D d, const Batch& batch, int i, hn::Vec<D> x, hn::Vec<D> y)
 {
     if constexpr (kWide) {
         const hn::Rebind<double, D> wide;
@@ -75,8 +84,7 @@ HWY_INLINE hn::Vec<D> inverse_depth(
 
 /// Triangle i over a box. kCovered: every sample of the box's registers is inside.
 template <bool kCovered, bool kWide, class D>
-HWY_INLINE void raster_box(
-    D d, const ViewMemory& view, ItemTile& tile, int i, const Box& box)
+HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, const Box& box)
 {
     const Batch& batch = tile.batch;
     const hn::RebindToUnsigned<D> du;
@@ -114,8 +122,8 @@ HWY_INLINE void raster_box(
             const auto win = hn::And(inside, hn::Gt(ahead, slack));
             const auto open = hn::AndNot(hn::Or(win, hn::Lt(ahead, hn::Neg(slack))), maybe);
             hn::Store(hn::IfThenElse(win, w, stored), d, w_at);
-            hn::Store(hn::IfThenElse(hn::RebindMask(du, win), id, hn::Load(du, item_at)), du,
-                item_at);
+            hn::Store(
+                hn::IfThenElse(hn::RebindMask(du, win), id, hn::Load(du, item_at)), du, item_at);
             if (!hn::AllFalse(d, open)) [[unlikely]] {
                 alignas(64) float w_lanes[16];
                 hn::Store(w, d, w_lanes);
@@ -199,8 +207,7 @@ void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
             const auto w_up = hn::Add(hn::Max(wx, zero), hn::Max(wy, zero));
             const auto block_nearest = hn::Min(nearest_w, hn::MulAdd(w_up, reach, w));
             const auto stored = hn::LoadU(d, tile.block_w + by * tile.blocks_x() + bx);
-            const auto hidden =
-                hn::Lt(hn::Mul(block_nearest, hn::Set(d, 1 + kDepthSlack)), stored);
+            const auto hidden = hn::Lt(hn::Mul(block_nearest, hn::Set(d, 1 + kDepthSlack)), stored);
             const auto missed = hn::Lt(best, hn::Set(d, -kBoxError));
             std::uint64_t todo = bits(d, hn::Not(hn::Or(hidden, missed)));
             const std::uint64_t covered = bits(d, hn::Gt(worst, hn::Set(d, kBoxError)));
@@ -210,8 +217,8 @@ void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
                 const int k = std::countr_zero(todo);
                 const int x = (bx + k) * kBlock, y = by * kBlock;
                 const Box whole{x, y, x + kBlock - 1, y + kBlock - 1};
-                const Box part{std::max(x, box.x0), std::max(y, box.y0),
-                    std::min(whole.x1, box.x1), std::min(whole.y1, box.y1)};
+                const Box part{std::max(x, box.x0), std::max(y, box.y0), std::min(whole.x1, box.x1),
+                    std::min(whole.y1, box.y1)};
                 if (covered >> k & 1)
                     raster_box<true, false>(Samples(), view, tile, i, whole);
                 else
@@ -251,12 +258,23 @@ void raster_batch(const ViewMemory& view, ItemTile& tile)
     for (int i = 0; i < batch.count; ++i) {
         const Box box{batch.x0[i], batch.y0[i], batch.x1[i], batch.y1[i]};
         switch (batch.kernel[i]) {
-        case Kernel::none: continue;
-        case Kernel::tiny: store_tiny(view, tile, i); break;
-        case Kernel::small: raster_box<false, false>(Samples(), view, tile, i, box); break;
-        case Kernel::large: raster_blocks(view, tile, i); continue;
-        case Kernel::wide: raster_box<false, true>(WideSamples(), view, tile, i, box); break;
-        case Kernel::exact: settle_box(view, tile, i); break;
+        case Kernel::none:
+            continue;
+        case Kernel::tiny:
+            store_tiny(view, tile, i);
+            break;
+        case Kernel::small:
+            raster_box<false, false>(Samples(), view, tile, i, box);
+            break;
+        case Kernel::large:
+            raster_blocks(view, tile, i);
+            continue;
+        case Kernel::wide:
+            raster_box<false, true>(WideSamples(), view, tile, i, box);
+            break;
+        case Kernel::exact:
+            settle_box(view, tile, i);
+            break;
         }
         mark_stale(tile, box);
     }
@@ -264,8 +282,8 @@ void raster_batch(const ViewMemory& view, ItemTile& tile)
 }
 
 /// Appends an entry's triangle to the batch.
-HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, float nearest_w,
-    Batch& batch)
+HWY_INLINE void gather(
+    const ViewMemory& view, const TileEntry& entry, float nearest_w, Batch& batch)
 {
     const int i = batch.count++;
     batch.triangle[i] = entry.triangle;
@@ -292,8 +310,8 @@ void sort_chunk(const ViewMemory& view, std::span<const TileEntry> chunk, ItemTi
     std::uint16_t start[257] = {};
     for (std::size_t k = 0; k < chunk.size(); ++k) {
         const glm::uvec3 index = view.index[chunk[k].triangle];
-        const float z = std::min(
-            {view.corner[index.x].z, view.corner[index.y].z, view.corner[index.z].z});
+        const float z =
+            std::min({view.corner[index.x].z, view.corner[index.y].z, view.corner[index.z].z});
         tile.chunk_w[k] = z > 0 ? 1 / z : std::numeric_limits<float>::infinity();
         // Sign, exponent and four bits of the mantissa grow with z.
         const int depth = z > 0 ? int(std::bit_cast<std::uint32_t>(z) >> 19) - (127 - 8) * 16 : 0;
@@ -315,8 +333,7 @@ HWY_INLINE bool entry_hidden(const ItemTile& tile, const TileEntry& entry, float
     if (bx1 - bx0 > 1 || by1 - by0 > 1) return false;
     const float* row0 = tile.block_w + by0 * tile.blocks_x();
     const float* row1 = tile.block_w + by1 * tile.blocks_x();
-    return is_hidden(nearest_w,
-        std::min({row0[bx0], row0[bx1], row1[bx0], row1[bx1]}));
+    return is_hidden(nearest_w, std::min({row0[bx0], row0[bx1], row1[bx0], row1[bx1]}));
 }
 
 void clear(ItemTile& tile)
@@ -335,7 +352,8 @@ void raster_entries(const ViewMemory& view, std::span<const TileEntry> entries, 
 {
     clear(tile);
     for (std::size_t first = 0; first < entries.size(); first += ItemTile::kChunk) {
-        const auto chunk = entries.subspan(first, std::min(ItemTile::kChunk, entries.size() - first));
+        const auto chunk =
+            entries.subspan(first, std::min(ItemTile::kChunk, entries.size() - first));
         sort_chunk(view, chunk, tile);
         for (std::size_t n = 0; n < chunk.size(); ++n) {
             const std::size_t k = tile.chunk_order[n];

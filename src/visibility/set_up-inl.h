@@ -4,7 +4,8 @@
 // (u each), two products and two sums, |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), X and Y the
 // largest offsets. Edges are scaled so that the bracket is 1: one constant bounds them all. The
 // double part adds less than 2^-30: the products of a x b are exact, so each term has at most four
-// roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| <= 2^18 times the bracket for the largest picture.
+// roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| <= 2^18 times the bracket for the largest
+// picture.
 #if defined(FIRSTHIT_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SET_UP_INL_H
 #undef FIRSTHIT_SET_UP_INL_H
@@ -26,11 +27,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float kEdgeError = 6 * 0x1p-24f;
 constexpr float kBoxError = 12 * 0x1p-24f;
 
-template <class V> struct Vector3 {
+template <class V>
+struct Vector3 {
     V x, y, z;
 };
 
-template <class V> HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b)
+template <class V>
+HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b)
 {
     return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
         hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
@@ -38,7 +41,8 @@ template <class V> HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector
 }
 
 /// |a.y b.z| + |a.z b.y|, ...: what bounds the error of cross(a, b).
-template <class V> HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const Vector3<V>& b)
+template <class V>
+HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const Vector3<V>& b)
 {
     const auto term = [](V p, V q, V r, V s) {
         return hn::Add(hn::Abs(hn::Mul(p, q)), hn::Abs(hn::Mul(r, s)));
@@ -46,13 +50,15 @@ template <class V> HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const V
     return {term(a.y, b.z, a.z, b.y), term(a.z, b.x, a.x, b.z), term(a.x, b.y, a.y, b.x)};
 }
 
-template <class V> HWY_INLINE Vector3<V> sub(const Vector3<V>& a, const Vector3<V>& b)
+template <class V>
+HWY_INLINE Vector3<V> sub(const Vector3<V>& a, const Vector3<V>& b)
 {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
 /// A triangle's plane and edges as the origin sees them, in double.
-template <class V> struct Planes {
+template <class V>
+struct Planes {
     Vector3<V> edge[3];   // v1 x v2, v2 x v0, v0 x v1: the edge opposite of each corner
     Vector3<V> n, n_size; // (v1 - v0) x (v2 - v0)
     V volume, volume_size;
@@ -75,14 +81,17 @@ HWY_INLINE Planes<V> planes_of(const Vector3<V>& v0, const Vector3<V>& v1, const
     return p;
 }
 
-/// Sets up one register of the batch's triangles, starting with number i. (x0, y0): direction of the
-/// tile's first sample.
-template <class D> HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
+/// Sets up one register of the batch's triangles, starting with number i. (x0, y0): direction of
+/// the tile's first sample.
+template <class D>
+HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
 {
     using V = hn::Vec<D>;
     const hn::Rebind<float, D> f;
     const hn::Rebind<std::int32_t, D> w;
-    const auto load = [&](int axis) { return hn::PromoteTo(d, hn::Load(f, batch.corner[axis] + i)); };
+    const auto load = [&](int axis) {
+        return hn::PromoteTo(d, hn::Load(f, batch.corner[axis] + i));
+    };
     const auto whole = [&](const std::int32_t* p) { return hn::Load(w, p + i); };
     const auto real = [&](auto v) { return hn::PromoteTo(d, v); };
     const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
@@ -102,11 +111,10 @@ template <class D> HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float 
     const V wx = hn::Mul(p.n.x, inverse_volume), wy = hn::Mul(p.n.y, inverse_volume);
     const V wc = hn::Mul(at_origin(p.n), inverse_volume);
     const V farthest_z = hn::Max(v0.z, hn::Max(v1.z, v2.z));
-    const V float_size = hn::Add(hn::Abs(wc),
-        hn::Add(hn::Mul(extent_x, hn::Abs(wx)), hn::Mul(extent_y, hn::Abs(wy))));
-    const V double_size = hn::Add(
-        hn::Add(hn::Mul(p.n_size.x, hn::Add(hn::Abs(ox), extent_x)),
-            hn::Mul(p.n_size.y, hn::Add(hn::Abs(oy), extent_y))),
+    const V float_size = hn::Add(
+        hn::Abs(wc), hn::Add(hn::Mul(extent_x, hn::Abs(wx)), hn::Mul(extent_y, hn::Abs(wy))));
+    const V double_size = hn::Add(hn::Add(hn::Mul(p.n_size.x, hn::Add(hn::Abs(ox), extent_x)),
+                                      hn::Mul(p.n_size.y, hn::Add(hn::Abs(oy), extent_y))),
         p.n_size.z);
     const auto float_fits = hn::Le(hn::Mul(float_size, farthest_z), hn::Set(d, 3.0));
     const auto double_fits = hn::And(
@@ -118,8 +126,8 @@ template <class D> HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float 
          gy2 = gx0, c2 = gx0;
     const auto edge = [&](const Vector3<V>& n, auto& gx, auto& gy, auto& c) {
         const V at = at_origin(n);
-        const V size = hn::Add(hn::Abs(at),
-            hn::Add(hn::Mul(extent_x, hn::Abs(n.x)), hn::Mul(extent_y, hn::Abs(n.y))));
+        const V size = hn::Add(
+            hn::Abs(at), hn::Add(hn::Mul(extent_x, hn::Abs(n.x)), hn::Mul(extent_y, hn::Abs(n.y))));
         const V scale = hn::Div(hn::CopySign(one, p.volume), size);
         gx = hn::DemoteTo(f, hn::Mul(n.x, scale));
         gy = hn::DemoteTo(f, hn::Mul(n.y, scale));
@@ -159,8 +167,8 @@ template <class D> HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float 
                 if (k & 2) s = hn::Add(s, gy);
                 return s;
             };
-            const auto m = hn::Min(
-                step(s0, gx0, gy0), hn::Min(step(s1, gx1, gy1), step(s2, gx2, gy2)));
+            const auto m =
+                hn::Min(step(s0, gx0, gy0), hn::Min(step(s1, gx1, gy1), step(s2, gx2, gy2)));
             const auto inside = hn::And(has, hn::Gt(m, hn::Set(f, kEdgeError)));
             const auto open = hn::AndNot(inside, hn::And(has, hn::Ge(m, hn::Set(f, -kEdgeError))));
             tiny = hn::AndNot(open, tiny);

@@ -18,8 +18,7 @@ Corners corners_of(const ViewMemory& view, std::uint32_t triangle)
 bool known_coplanar(ItemTile& tile, std::uint32_t a, std::uint32_t b, const Corners& corners_a,
     const Corners& corners_b)
 {
-    CoplanarCache::Pair& known =
-        tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
+    CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
     if (known.a != a || known.b != b) {
         ++tile.counts.effort.exact_calls;
         known = {a, b, are_coplanar(corners_a, corners_b)};

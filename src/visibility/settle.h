@@ -13,8 +13,8 @@ struct Lanes {
 };
 
 /// For the samples in `open`: tests triangle i of the batch exactly where `inside` is not set, then
-/// compares its w with the tile's, exactly where they are too close, and stores the nearer triangle;
-/// at equal depth the lower id.
+/// compares its w with the tile's, exactly where they are too close, and stores the nearer
+/// triangle; at equal depth the lower id.
 void settle_lanes(const ViewMemory& view, ItemTile& tile, int i, const Lanes& lanes,
     std::uint64_t open, std::uint64_t inside, const float* w);
 

@@ -13,8 +13,8 @@
 namespace firsthit {
 
 /// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
-/// corners' boxes is its own box, and empty where first > last. 8 bytes, so that three loads and two
-/// minima do.
+/// corners' boxes is its own box, and empty where first > last. 8 bytes, so that three loads and
+/// two minima do.
 struct VertexBox {
     std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
     std::int16_t first_y;
@@ -45,10 +45,10 @@ struct ViewMemory {
     int tiles_y = 0;
     std::span<const glm::uvec3> index;
 
-    Buffer<glm::vec4> corner;   // (V) eye space; w unused. See Pencil
-    Buffer<VertexBox> box;      // (V)
-    Buffer<InView> in_view;     // (T) room; each range of triangles fills the start of its part
-    Buffer<TileEntry> entry;    // (entries) by tile, then by triangle
+    Buffer<glm::vec4> corner; // (V) eye space; w unused. See Pencil
+    Buffer<VertexBox> box;    // (V)
+    Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
+    Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
     Buffer<std::uint32_t> cursor;      // (ranges, tiles)

@@ -27,11 +27,13 @@ vec3 at(float x, float y, float z)
 
 vec3 random_at(std::mt19937& random, float half = 30, float near = 1, float far = 9)
 {
-    return at(uniform(random, -half, half), uniform(random, -half, half), uniform(random, near, far));
+    return at(
+        uniform(random, -half, half), uniform(random, -half, half), uniform(random, near, far));
 }
 
 /// A grid of quads, split at random, over points made by `point(i, j)`, i and j in [0, n].
-template <class F> void add_grid(TestWorld& world, std::mt19937& random, int n, const F& point)
+template <class F>
+void add_grid(TestWorld& world, std::mt19937& random, int n, const F& point)
 {
     const auto first = std::uint32_t(world.world.position.size());
     for (int j = 0; j <= n; ++j)
@@ -55,7 +57,9 @@ template <class F> void add_grid(TestWorld& world, std::mt19937& random, int n, 
 std::vector<AdversarialScene> make_scenes()
 {
     std::vector<AdversarialScene> scenes;
-    const auto add = [&](std::string name, auto fill) { scenes.push_back({std::move(name), fill}); };
+    const auto add = [&](std::string name, auto fill) {
+        scenes.push_back({std::move(name), fill});
+    };
 
     add("random triangles", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) w.add(random_at(r), random_at(r), random_at(r));
@@ -64,7 +68,8 @@ std::vector<AdversarialScene> make_scenes()
         for (int k = 0; k < 600; ++k) {
             const vec3 p = random_at(r);
             const auto near_p = [&] {
-                return p + vec3(uniform(r, -.1f, .1f), uniform(r, -.1f, .1f), uniform(r, -.1f, .1f));
+                return p +
+                       vec3(uniform(r, -.1f, .1f), uniform(r, -.1f, .1f), uniform(r, -.1f, .1f));
             };
             w.add(near_p(), near_p(), near_p());
         }
@@ -73,9 +78,8 @@ std::vector<AdversarialScene> make_scenes()
         add_grid(w, r, 20, [](int i, int j) { return at(float(i) - 9.5f, float(j) - 9.5f, 4); });
     });
     add("vertices within rounding of pixel centres", [](TestWorld& w, std::mt19937& r) {
-        add_grid(w, r, 20, [&](int i, int j) {
-            return at(float(i) - 9.5f, float(j) - 9.5f, uniform(r, 2, 5));
-        });
+        add_grid(w, r, 20,
+            [&](int i, int j) { return at(float(i) - 9.5f, float(j) - 9.5f, uniform(r, 2, 5)); });
     });
     add("integer vertices, many ties", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 200; ++k) {
@@ -104,8 +108,8 @@ std::vector<AdversarialScene> make_scenes()
         w.world.position.push_back(hub);
         w.world.position.insert(w.world.position.end(), rim.begin(), rim.end());
         for (int k = 0; k < n; ++k)
-            w.scene->index.push_back({first, first + 1 + std::uint32_t(k),
-                first + 1 + std::uint32_t((k + 1) % n)});
+            w.scene->index.push_back(
+                {first, first + 1 + std::uint32_t(k), first + 1 + std::uint32_t((k + 1) % n)});
     });
     add("duplicates and permuted duplicates", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 40; ++k) {
@@ -156,7 +160,8 @@ std::vector<AdversarialScene> make_scenes()
             w.add(a, b, s * a + t * b + vec3(0, off, 0));
         }
         for (int k = 0; k < 20; ++k) { // exactly in it: the plane y = 0, and x = z
-            w.add({uniform(r, -3, 3), 0, uniform(r, -3, 3)}, {uniform(r, -3, 3), 0, uniform(r, -3, 3)},
+            w.add({uniform(r, -3, 3), 0, uniform(r, -3, 3)},
+                {uniform(r, -3, 3), 0, uniform(r, -3, 3)},
                 {uniform(r, -3, 3), 0, uniform(r, -3, 3)});
         }
     });
@@ -175,7 +180,8 @@ std::vector<AdversarialScene> make_scenes()
     });
     add("a grazing ground under a horizon", [](TestWorld& w, std::mt19937& r) {
         add_grid(w, r, 12, [&](int i, int j) {
-            return vec3(float(i - 6) * 300, 1e-3f + 1e-5f * float(whole(r, 0, 3)), float(j) * 400 - 100);
+            return vec3(
+                float(i - 6) * 300, 1e-3f + 1e-5f * float(whole(r, 0, 3)), float(j) * 400 - 100);
         });
     });
     add("huge and tiny together", [](TestWorld& w, std::mt19937& r) {
@@ -234,8 +240,8 @@ std::vector<AdversarialScene> make_scenes()
     add("many layers, far ones first", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {
             const float z = 20 - 0.3f * float(k);
-            w.add(at(uniform(r, -60, 0), uniform(r, -60, 0), z), at(uniform(r, 0, 60), -30, z * 1.05f),
-                at(uniform(r, -30, 30), 60, z * .95f));
+            w.add(at(uniform(r, -60, 0), uniform(r, -60, 0), z),
+                at(uniform(r, 0, 60), -30, z * 1.05f), at(uniform(r, -30, 30), 60, z * .95f));
         }
     });
     return scenes;

@@ -15,7 +15,8 @@ class ItemBuffer : public testing::TestWithParam<std::size_t> {
   protected:
     static constexpr int kRounds = 6;
 
-    template <class F> void for_worlds(const F& check)
+    template <class F>
+    void for_worlds(const F& check)
     {
         const AdversarialScene& scene = adversarial_scenes()[GetParam()];
         for (unsigned round = 0; round < kRounds; ++round) {
@@ -34,7 +35,8 @@ class ItemBuffer : public testing::TestWithParam<std::size_t> {
 TEST_P(ItemBuffer, EqualsBruteForce)
 {
     for_worlds([&](TestWorld& world, std::mt19937&) {
-        EXPECT_EQ(differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
+        EXPECT_EQ(
+            differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
     });
 }
 
@@ -54,7 +56,8 @@ TEST_P(ItemBuffer, IsTheSameForEveryInstructionSet)
         hwy::SetSupportedTargetsForTest(0);
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
         const auto expected = items_of(world.world, view);
-        for (auto rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest; rest &= rest - 1) {
+        for (auto rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest;
+             rest &= rest - 1) {
             const auto target = std::int64_t(1) << std::countr_zero(rest);
             hwy::SetSupportedTargetsForTest(target);
             hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -79,7 +82,8 @@ TEST_P(ItemBuffer, FollowsTheTrianglesWhenTheirOrderChanges)
             if (random() & 1) corner = {corner.y, corner.z, corner.x};
             index[k] = corner;
         }
-        EXPECT_EQ(differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
+        EXPECT_EQ(
+            differences(items_of(world.world, view), brute_items(world.world, view), kSize), 0u);
     });
 }
 

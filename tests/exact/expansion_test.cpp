@@ -18,7 +18,8 @@ double random_whole(std::mt19937_64& random, int bits, int shift, Integer& exact
     return std::ldexp(double(mantissa), shift);
 }
 
-template <int N> Integer value(const Expansion<N>& e)
+template <int N>
+Integer value(const Expansion<N>& e)
 {
     Integer sum = 0;
     for (int i = 0; i < e.size(); ++i) {

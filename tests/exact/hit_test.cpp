@@ -45,8 +45,8 @@ int displaced_sign(const vec3& a, const vec3& b, const vec3& d)
     return 0;
 }
 
-/// Points with coordinates of up to `bits` bits; now and then small, equal or in line, so that zeros
-/// are common.
+/// Points with coordinates of up to `bits` bits; now and then small, equal or in line, so that
+/// zeros are common.
 struct Points {
     std::mt19937 random;
     int bits;
@@ -83,8 +83,8 @@ TEST(VolumeSign, IsExactAndNotDisplaced)
         Effort effort;
         for (int round = 0; round < 20000; ++round) {
             const Corners c{points.point(), points.point(), points.point()};
-            EXPECT_EQ(volume_sign(c, effort),
-                sign(dot(exact(c[0]), cross(exact(c[1]), exact(c[2])))));
+            EXPECT_EQ(
+                volume_sign(c, effort), sign(dot(exact(c[0]), cross(exact(c[1]), exact(c[2])))));
         }
     }
 }
@@ -96,14 +96,15 @@ TEST(CompareDepth, IsExact)
         Points points{std::mt19937(unsigned(bits)), bits};
         Effort effort;
         for (int round = 0; round < 60000; ++round) {
-            const vec3 d{float(int(points.random() % 9) - 4), float(int(points.random() % 9) - 4), 1};
+            const vec3 d{
+                float(int(points.random() % 9) - 4), float(int(points.random() % 9) - 4), 1};
             const Corners a{points.point(), points.point(), points.point()};
             const Corners b{points.point(), points.point(), points.point()};
             if (!is_hit(a, d, effort) || !is_hit(b, d, effort)) continue;
             const auto parts = [&](const Corners& c, Integer& det, Integer& volume) {
                 const Exact p = exact(c[0]), q = exact(c[1]), r = exact(c[2]);
                 det = dot(exact(d), cross(p, q)) + dot(exact(d), cross(q, r)) +
-                    dot(exact(d), cross(r, p));
+                      dot(exact(d), cross(r, p));
                 volume = dot(p, cross(q, r));
                 EXPECT_EQ(sign(det), sign(volume)) << "a hit lies in front";
                 if (det < 0) det = -det, volume = -volume;
@@ -216,7 +217,8 @@ TEST(IsHit, FindsNoPhantomOnAHugeFlatBox)
     const int faces[12][3] = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}, {0, 4, 5}, {0, 5, 1},
         {1, 5, 6}, {1, 6, 2}, {2, 6, 7}, {2, 7, 3}, {3, 7, 4}, {3, 4, 0}};
     for (const auto& f : faces)
-        hits += is_hit({corner[f[0]] - eye, corner[f[1]] - eye, corner[f[2]] - eye}, {0, -1, 0}, effort);
+        hits += is_hit(
+            {corner[f[0]] - eye, corner[f[1]] - eye, corner[f[2]] - eye}, {0, -1, 0}, effort);
     EXPECT_EQ(hits, 0);
 }
 

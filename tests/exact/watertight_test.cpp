@@ -20,12 +20,14 @@ int hits(const Triangles& triangles, const vec3& d, Effort& effort)
 }
 
 /// A flat or wavy grid of 2 n n triangles whose vertices project to the points (i, j) - n/2 + 1/2.
-template <class F> Triangles grid(int n, std::mt19937& random, const F& point)
+template <class F>
+Triangles grid(int n, std::mt19937& random, const F& point)
 {
     Triangles triangles;
     std::vector<vec3> p;
     for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) p.push_back(point(float(i - n / 2) + .5f, float(j - n / 2) + .5f));
+        for (int i = 0; i <= n; ++i)
+            p.push_back(point(float(i - n / 2) + .5f, float(j - n / 2) + .5f));
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const auto at = [&](int x, int y) { return p[std::size_t((j + y) * (n + 1) + i + x)]; };
@@ -63,10 +65,12 @@ TEST(Watertight, RaysWithinRoundingOfVerticesHitOneTriangle)
     for (unsigned seed = 0; seed < 5; ++seed) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> depth(2, 5);
-        expect_once(grid(16, random, [&](float x, float y) {
-            const float z = depth(random);
-            return vec3(x * z, y * z, z);
-        }), 6);
+        expect_once(grid(16, random,
+                        [&](float x, float y) {
+                            const float z = depth(random);
+                            return vec3(x * z, y * z, z);
+                        }),
+            6);
     }
 }
 
@@ -76,8 +80,10 @@ Triangles sphere(const vec3& center, float radius, int n)
     const auto point = [&](int i, int j) {
         if (j == 0) return center + vec3(0, radius, 0);
         if (j == n) return center - vec3(0, radius, 0);
-        const float a = 6.2831853f * float(i % (2 * n)) / float(2 * n), b = 3.1415927f * float(j) / float(n);
-        return center + radius * vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
+        const float a = 6.2831853f * float(i % (2 * n)) / float(2 * n),
+                    b = 3.1415927f * float(j) / float(n);
+        return center +
+               radius * vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
     };
     Triangles triangles;
     for (int j = 0; j < n; ++j) {

@@ -18,15 +18,15 @@ Exact exact_hit(const Corners& c, const glm::vec3& d)
 {
     const auto edge = [&](const glm::vec3& a, const glm::vec3& b) {
         return Real(d.x) * (Real(a.y) * b.z - Real(a.z) * b.y) +
-            Real(d.y) * (Real(a.z) * b.x - Real(a.x) * b.z) +
-            Real(d.z) * (Real(a.x) * b.y - Real(a.y) * b.x);
+               Real(d.y) * (Real(a.z) * b.x - Real(a.x) * b.z) +
+               Real(d.z) * (Real(a.x) * b.y - Real(a.y) * b.x);
     };
     const Real e0 = edge(c[1], c[2]), e1 = edge(c[2], c[0]), e2 = edge(c[0], c[1]);
     const Real det = e0 + e1 + e2;
     const glm::vec3 &a = c[1], &b = c[2];
     const Real volume = Real(c[0].x) * (Real(a.y) * b.z - Real(a.z) * b.y) +
-        Real(c[0].y) * (Real(a.z) * b.x - Real(a.x) * b.z) +
-        Real(c[0].z) * (Real(a.x) * b.y - Real(a.y) * b.x);
+                        Real(c[0].y) * (Real(a.z) * b.x - Real(a.x) * b.z) +
+                        Real(c[0].z) * (Real(a.x) * b.y - Real(a.y) * b.x);
     return {volume / det, e1 / det, e2 / det};
 }
 
@@ -43,7 +43,9 @@ TEST(ResolveTile, DepthIsWithinOneUnitInTheLastPlaceOfAPlanes)
     for (const float z : {0.01f, 0.1f, 0.7f, 3.0f, 40.0f, 1000.0f}) {
         for (const float tilt : {0.0f, 0.3f, -0.9f}) {
             TestWorld world;
-            const auto p = [&](float x, float y) { return glm::vec3(x * z, y * z, z * (1 + tilt * x)); };
+            const auto p = [&](float x, float y) {
+                return glm::vec3(x * z, y * z, z * (1 + tilt * x));
+            };
             world.add(p(-9, -9), p(9, -9), p(0, 9));
             world.finish();
             const Rendered r = render_planes(world.world, view, {Aov::depth});
@@ -73,7 +75,8 @@ TEST(ResolveTile, HitsEveryItemOfEveryAdversarialScene)
             world.world, view, {Aov::item, Aov::depth, Aov::distance, Aov::barycentric});
         const EyeWorld eye(world.world, view);
         for (std::size_t i = 0; i < r.film.item.size(); ++i) {
-            const float depth = r.film[Aov::depth].value[i], u = r.film[Aov::barycentric].value[2 * i],
+            const float depth = r.film[Aov::depth].value[i],
+                        u = r.film[Aov::barycentric].value[2 * i],
                         v = r.film[Aov::barycentric].value[2 * i + 1];
             if (r.film.item[i] == kNoItem) {
                 EXPECT_EQ(depth, INFINITY);
@@ -104,7 +107,8 @@ TEST(ResolveTile, BarycentricsAreEmbreesWeightsOfCornersOneAndTwo)
     for (std::size_t i = 0; i < r.film.item.size(); ++i) {
         if (r.film.item[i] == kNoItem) continue;
         ++hits;
-        const float u = r.film[Aov::barycentric].value[2 * i], v = r.film[Aov::barycentric].value[2 * i + 1];
+        const float u = r.film[Aov::barycentric].value[2 * i],
+                    v = r.film[Aov::barycentric].value[2 * i + 1];
         const glm::vec3 p = (1 - u - v) * a + u * b + v * c;
         const float t = r.film[Aov::depth].value[i];
         EXPECT_NEAR(p.z, t, 1e-5);

@@ -56,7 +56,8 @@ TEST(Compare, BartRobotsEqualEmbree)
 {
     const char* data = std::getenv("FIRSTHIT_TEST_DATA");
     const auto path = std::filesystem::path(data ? data : "") / "bart/scene_robot/aff/Robot.aff";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no " << path.filename();
+    if (!std::filesystem::exists(path))
+        GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no " << path.filename();
     const Scene scene = load_scene(path.string());
     for (const double time_s : {5.0, 10.0, 20.0, 30.0, 45.0})
         expect_right(scene, time_s, Oracle::embree, 192);

@@ -21,15 +21,30 @@ void* counted(std::size_t bytes, std::size_t alignment)
 
 } // namespace
 
-void* operator new(std::size_t bytes) { return counted(bytes, 16); }
+void* operator new(std::size_t bytes)
+{
+    return counted(bytes, 16);
+}
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
     return counted(bytes, std::size_t(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+{
+    std::free(memory);
+}
 
 namespace firsthit {
 namespace {
@@ -45,7 +60,9 @@ long allocations_after_two_frames(const std::string& name, int threads, const Se
     view.camera = framing_camera(world);
     Renderer renderer(threads);
     Film film;
-    const auto frame = [&](int number) { renderer.render(scene, 0.7 * number, view, settings, film); };
+    const auto frame = [&](int number) {
+        renderer.render(scene, 0.7 * number, view, settings, film);
+    };
     frame(0);
     frame(1);
     const long before = allocations;

@@ -86,7 +86,9 @@ TEST(Renderer, AveragesASupersampledPicturesPixels)
                 for (int sy = 0; sy < samples; ++sy)
                     for (int sx = 0; sx < samples; ++sx)
                         sum += fine.color.value[std::size_t((y * samples + sy) * fine.width +
-                                                    x / 3 * samples + sx) * 3 + std::size_t(x % 3)];
+                                                            x / 3 * samples + sx) *
+                                                    3 +
+                                                std::size_t(x % 3)];
                 EXPECT_NEAR(film.color.value[std::size_t(y * film.width * 3 + x)],
                     sum / float(samples * samples), 1e-6f);
             }
@@ -127,7 +129,9 @@ TEST(Renderer, FillsPlanesThatAgreeWithEachOther)
         const float* p = &film[Aov::position].value[3 * i];
         const glm::dvec3 from_eye = glm::dvec3(p[0], p[1], p[2]) - picture.view.camera.eye;
         EXPECT_NEAR(glm::length(from_eye) / double(distance), 1, 1e-5);
-        EXPECT_NEAR(glm::dot(from_eye, glm::normalize(picture.view.camera.direction)) / double(depth), 1, 1e-5);
+        EXPECT_NEAR(
+            glm::dot(from_eye, glm::normalize(picture.view.camera.direction)) / double(depth), 1,
+            1e-5);
         const float* n = &film[Aov::geometric_normal].value[3 * i];
         EXPECT_NEAR(glm::length(glm::vec3(n[0], n[1], n[2])), 1, 1e-5);
         EXPECT_LE(glm::dot(glm::dvec3(n[0], n[1], n[2]), from_eye), 1e-4 * double(distance));
@@ -166,7 +170,8 @@ TEST(Renderer, DrawsAnEmptyWorldAsBackground)
     }
 }
 
-template <class Change> void expect_refused(const char* part_of_message, const Change& change)
+template <class Change>
+void expect_refused(const char* part_of_message, const Change& change)
 {
     TestWorld world;
     world.finish();
@@ -179,7 +184,8 @@ template <class Change> void expect_refused(const char* part_of_message, const C
         renderer.render(world.world, view, settings, film);
         FAIL() << "accepted: " << part_of_message;
     } catch (const ArgumentError& error) {
-        EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos)
+            << error.what();
     }
 }
 

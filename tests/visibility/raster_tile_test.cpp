@@ -1,5 +1,5 @@
-// raster_tile_test.cpp - what the item buffer's proof rests on: boxes that hold every hit, and depths
-// within their bound.
+// raster_tile_test.cpp - what the item buffer's proof rests on: boxes that hold every hit, and
+// depths within their bound.
 #include "cpu/adversarial_scenes.h"
 #include "items.h"
 #include "visibility/bins.h"
@@ -23,13 +23,15 @@ struct Binned {
         memory.tiles_x = (memory.pencil.width + 15) / 16;
         memory.tiles_y = (memory.pencil.height + 15) / 16;
         memory.tile_of.resize(std::size_t(std::max(memory.pencil.width, memory.pencil.height)));
-        for (std::size_t k = 0; k < memory.tile_of.size(); ++k) memory.tile_of[k] = std::uint8_t(k / 16);
+        for (std::size_t k = 0; k < memory.tile_of.size(); ++k)
+            memory.tile_of[k] = std::uint8_t(k / 16);
         project_vertices(world.position, memory, tasks);
         bin_triangles(world.scene->index, memory, tasks);
     }
 };
 
-template <class F> void for_adversarial_worlds(const F& check)
+template <class F>
+void for_adversarial_worlds(const F& check)
 {
     for (const AdversarialScene& scene : adversarial_scenes()) {
         for (unsigned seed = 20; seed < 22; ++seed) {
