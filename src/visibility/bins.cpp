@@ -29,7 +29,7 @@ inline bool box_of(
         return found.has_value();
     }
     if (x0 + mx1 > 0 || y0 + my1 > 0) return false;
-    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1)};
+    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1), std::min({a.z, b.z, c.z})};
     return true;
 }
 
@@ -88,7 +88,7 @@ void scatter_range(std::size_t range, ViewMemory& memory)
                 return std::uint8_t(std::clamp(sample - tile * size, 0, size - 1));
             };
             memory.entry[cursor[ty * memory.tiles_x + tx]++] = {box->triangle, local(box->x0, tx),
-                local(box->y0, ty), local(box->x1, tx), local(box->y1, ty)};
+                local(box->y0, ty), local(box->x1, tx), local(box->y1, ty), box->nearest_z};
         });
     }
 }

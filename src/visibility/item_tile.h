@@ -90,7 +90,6 @@ struct ItemTile {
 
     /// Entries sorted at once, nearest first.
     static constexpr std::size_t kChunk = 4096;
-    float chunk_w[kChunk];
     std::uint16_t chunk_order[kChunk];
     std::uint8_t chunk_depth[kChunk];
 

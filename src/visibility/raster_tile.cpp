@@ -10,6 +10,8 @@
 
 #include <firsthit/scene.h>
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -305,14 +307,11 @@ HWY_INLINE void gather(
 }
 
 /// Nearest first, by classes of 6% of depth, so that triangles of a surface keep their order.
-void sort_chunk(const ViewMemory& view, std::span<const TileEntry> chunk, ItemTile& tile)
+void sort_chunk(std::span<const TileEntry> chunk, ItemTile& tile)
 {
     std::uint16_t start[257] = {};
     for (std::size_t k = 0; k < chunk.size(); ++k) {
-        const glm::uvec3 index = view.index[chunk[k].triangle];
-        const float z =
-            std::min({view.corner[index.x].z, view.corner[index.y].z, view.corner[index.z].z});
-        tile.chunk_w[k] = z > 0 ? 1 / z : std::numeric_limits<float>::infinity();
+        const float z = chunk[k].nearest_z;
         // Sign, exponent and four bits of the mantissa grow with z.
         const int depth = z > 0 ? int(std::bit_cast<std::uint32_t>(z) >> 19) - (127 - 8) * 16 : 0;
         tile.chunk_depth[k] = std::uint8_t(std::clamp(depth, 0, 255));
@@ -336,6 +335,19 @@ HWY_INLINE bool entry_hidden(const ItemTile& tile, const TileEntry& entry, float
     return is_hidden(nearest_w, std::min({row0[bx0], row0[bx1], row1[bx0], row1[bx1]}));
 }
 
+/// Asks for the memory of entries that come soon: first their indices, then their corners.
+HWY_INLINE void prefetch(
+    const ViewMemory& view, std::span<const TileEntry> chunk, const ItemTile& tile, std::size_t n)
+{
+    constexpr std::size_t kIndices = 24, kCorners = 12; // entries ahead
+    if (n + kIndices < chunk.size())
+        hwy::Prefetch(&view.index[chunk[tile.chunk_order[n + kIndices]].triangle]);
+    if (n + kCorners < chunk.size()) {
+        const glm::uvec3& index = view.index[chunk[tile.chunk_order[n + kCorners]].triangle];
+        for (int k = 0; k < 3; ++k) hwy::Prefetch(&view.corner[index[k]]);
+    }
+}
+
 void clear(ItemTile& tile)
 {
     const std::size_t samples = std::size_t(tile.size) * std::size_t(tile.size);
@@ -354,11 +366,14 @@ void raster_entries(const ViewMemory& view, std::span<const TileEntry> entries, 
     for (std::size_t first = 0; first < entries.size(); first += ItemTile::kChunk) {
         const auto chunk =
             entries.subspan(first, std::min(ItemTile::kChunk, entries.size() - first));
-        sort_chunk(view, chunk, tile);
+        sort_chunk(chunk, tile);
         for (std::size_t n = 0; n < chunk.size(); ++n) {
-            const std::size_t k = tile.chunk_order[n];
-            if (entry_hidden(tile, chunk[k], tile.chunk_w[k])) continue;
-            gather(view, chunk[k], tile.chunk_w[k], tile.batch);
+            prefetch(view, chunk, tile, n);
+            const TileEntry& entry = chunk[tile.chunk_order[n]];
+            const float z = entry.nearest_z;
+            const float nearest_w = z > 0 ? 1 / z : std::numeric_limits<float>::infinity();
+            if (entry_hidden(tile, entry, nearest_w)) continue;
+            gather(view, entry, nearest_w, tile.batch);
             if (tile.batch.count == kBatch) {
                 raster_batch(view, tile);
                 refresh_blocks(tile);
