@@ -2,6 +2,7 @@
 #include "items.h"
 #include "scenes.h"
 
+#include <algorithm>
 #include <random>
 
 namespace firsthit::test {
@@ -64,6 +65,20 @@ TEST(Scale, DropsNoneOfTwoHundredThousandFacesInOneTile)
     world.finish();
     for (const std::uint32_t item : items_of(world.world, straight_view(32, 32, 32)))
         ASSERT_EQ(item, count - 1);
+}
+
+TEST(Scale, DividesPicturesWithTooManyTrianglesInEveryTile)
+{
+    // 140,000 triangles over 17 x 16 tiles would be 38 million entries.
+    TestWorld world;
+    const std::uint32_t count = 140000;
+    world.world.position = {
+        {-9, -9, 1}, {9, -9, 1}, {0, 9, 1}, {-18, -18, 2}, {18, -18, 2}, {0, 18, 2}};
+    world.scene->index.assign(count, glm::uvec3(3, 4, 5));
+    world.scene->index[count / 2] = {0, 1, 2};
+    world.finish();
+    const auto items = items_of(world.world, straight_view(1030, 1000, 1000), 2);
+    EXPECT_EQ(std::size_t(std::count(items.begin(), items.end(), count / 2)), items.size());
 }
 
 TEST(Scale, NamesTheLastOfSixteenMillionAndOneTriangles)
