@@ -15,25 +15,20 @@ Corners corners_of(const ViewMemory& view, std::uint32_t triangle)
         glm::vec3(view.corner[corner.z])};
 }
 
-bool known_coplanar(ItemTile& tile, std::uint32_t a, std::uint32_t b, const Corners& corners_a,
-    const Corners& corners_b)
-{
-    CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
-    if (known.a != a || known.b != b) {
-        ++tile.counts.effort.exact_calls;
-        known = {a, b, are_coplanar(corners_a, corners_b)};
-    }
-    return known.coplanar;
-}
-
 /// Whether triangle a (hit, w too close to call) comes before the stored triangle b.
 bool comes_first(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const Corners& corners_a,
     std::uint32_t b, const glm::vec3& d)
 {
+    CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
+    const bool seen = known.a == a && known.b == b;
+    if (seen && known.coplanar) return a < b;
     const Corners corners_b = corners_of(view, b);
-    const int certain = compare_depth_fast(corners_a, corners_b, d);
-    if (certain != 0) return certain < 0;
-    if (known_coplanar(tile, a, b, corners_a, corners_b)) return a < b;
+    if (const int certain = compare_depth_fast(corners_a, corners_b, d)) return certain < 0;
+    if (!seen) {
+        ++tile.counts.effort.exact_calls;
+        known = {a, b, are_coplanar(corners_a, corners_b)};
+        if (known.coplanar) return a < b;
+    }
     const int order = compare_depth(corners_a, corners_b, d, tile.counts.effort);
     return order < 0 || (order == 0 && a < b);
 }
