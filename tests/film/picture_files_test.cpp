@@ -1,5 +1,5 @@
 // picture_files_test.cpp - what is written is read back by the formats' own libraries.
-#include "film/srgb.h"
+#include "base/srgb.h"
 #include "film/temporary_folder.h"
 
 #include <firsthit/error.h>
