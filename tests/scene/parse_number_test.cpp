@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace firsthit {
 namespace {
@@ -29,12 +31,13 @@ TEST(ParseNumber, TakesWholeWordsOnly)
 TEST(ParseNumber, TellsTooSmallFromTooLarge)
 {
     const std::string zeros(400, '0');
-    for (const std::string& tiny : {std::string("1e-400"), "-1e-400", "0." + zeros + "1",
-             "0." + zeros + "1e+5", std::string("1e-99999999999999999999")})
-        EXPECT_EQ(parse_number(tiny), 0.0) << tiny;
-    for (const std::string& large : {std::string("1e400"), "-1E+400", "1" + zeros,
-             "1" + zeros + "e-5", std::string("1e99999999999999999999")})
-        EXPECT_TRUE(std::isinf(parse_number(large).value())) << large;
+    const std::vector<std::string> tiny = {
+        "1e-400", "-1e-400", "0." + zeros + "1", "0." + zeros + "1e+5", "1e-99999999999999999999"};
+    for (const std::string& word : tiny) EXPECT_EQ(parse_number(word), 0.0) << word;
+    const std::vector<std::string> large = {
+        "1e400", "-1E+400", "1" + zeros, "1" + zeros + "e-5", "1e99999999999999999999"};
+    for (const std::string& word : large)
+        EXPECT_TRUE(std::isinf(parse_number(word).value())) << word;
 }
 
 TEST(ParseNumber, IntegersAreThoseOf64Bits)
