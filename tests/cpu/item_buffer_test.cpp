@@ -1,12 +1,7 @@
 // item_buffer_test.cpp - the item buffer is the brute-force ray caster, bit for bit.
-#include "base/simd_targets.h"
-
 #include "cpu/adversarial_scenes.h"
+#include "instruction_sets.h"
 #include "items.h"
-
-#include <hwy/highway.h>
-
-#include <bit>
 
 namespace firsthit::test {
 namespace {
@@ -53,18 +48,8 @@ TEST_P(ItemBuffer, IsTheSameForEveryThreadCountAndTileSize)
 TEST_P(ItemBuffer, IsTheSameForEveryInstructionSet)
 {
     for_worlds([&](TestWorld& world, std::mt19937&) {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
         const auto expected = items_of(world.world, view);
-        for (auto rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest;
-             rest &= rest - 1) {
-            const auto target = std::int64_t(1) << std::countr_zero(rest);
-            hwy::SetSupportedTargetsForTest(target);
-            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-            EXPECT_EQ(items_of(world.world, view), expected) << hwy::TargetName(target);
-        }
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        for_instruction_sets([&] { EXPECT_EQ(items_of(world.world, view), expected); });
     });
 }
 
