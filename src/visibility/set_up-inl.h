@@ -117,9 +117,12 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
                                       hn::Mul(p.n_size.y, hn::Add(hn::Abs(oy), extent_y))),
         p.n_size.z);
     const auto float_fits = hn::Le(hn::Mul(float_size, farthest_z), hn::Set(d, 3.0));
-    const auto double_fits = hn::And(
+    const auto well_conditioned = hn::And(
         hn::Ge(hn::Abs(p.volume), hn::Mul(hn::Set(d, 0x1p-24), p.volume_size)),
         hn::Le(hn::Mul(double_size, farthest_z), hn::Mul(hn::Set(d, 0x1p27), hn::Abs(p.volume))));
+    // False for NaN: a volume of 0.
+    const auto double_fits =
+        hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
 
     // Edges, positive inside, |e| <= 1 over the extent.
     auto gx0 = hn::Undefined(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,

@@ -3,6 +3,7 @@
 
 #include <firsthit/scene.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace firsthit {
@@ -77,7 +78,7 @@ void settle_box(const ViewMemory& view, ItemTile& tile, int i)
             const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1.0f};
             ++tile.counts.uncertain;
             if (!is_hit(corners, d, tile.counts.effort)) continue;
-            const float w = float(exact_inverse_depth(corners, d));
+            const float w = float(std::min(exact_inverse_depth(corners, d), double(kGreatestW)));
             const int offset = tile.column_offset[x] + tile.row_offset[y];
             propose(view, tile, batch.triangle[i], corners, std::size_t(offset), w, d);
         }

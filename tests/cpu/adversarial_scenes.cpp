@@ -197,6 +197,15 @@ std::vector<AdversarialScene> make_scenes()
         for (int k = 0; k < 100; ++k)
             w.add(1e-20f * random_at(r), 1e-20f * random_at(r), 1e-20f * random_at(r));
     });
+    add("so near that 1/t overflows", [](TestWorld& w, std::mt19937& r) {
+        for (int k = 0; k < 90; ++k) {
+            const float scale = std::pow(2.0f, -uniform(r, 118, 136));
+            const float half = k % 3 == 0 ? 1.0f : 30.0f;
+            const vec3 p = at(uniform(r, -20, 20), uniform(r, -20, 20), 1);
+            const auto near_p = [&] { return scale * (p + random_at(r, half)); };
+            w.add(near_p(), near_p(), near_p());
+        }
+    });
     add("degenerate triangles", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {
             const vec3 a = random_at(r), b = random_at(r);
