@@ -5,7 +5,7 @@ cd -- "$(dirname -- "$0")"
 
 scripts/install_packages.sh build
 scripts/fetch_scenes.sh || [ $? -eq 3 ]
-scripts/build.sh release
+scripts/build.sh release -- firsthit_program
 
 firsthit=build/release/bin/firsthit
 mkdir -p out/animation

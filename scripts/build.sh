@@ -1,21 +1,28 @@
 #!/usr/bin/env bash
-# build.sh - configures and builds a preset quietly. Usage: build.sh PRESET [CMAKE_OPTION...]
+# build.sh - configures and builds a preset quietly.
+# Usage: build.sh PRESET [CMAKE_OPTION...] [-- TARGET...]; without a target it builds everything.
 # What the tools say is in build/PRESET.log, and on the terminal where they fail.
 set -euo pipefail
 cd -- "$(dirname -- "$0")/.."
 
-preset=${1:?usage: build.sh PRESET [CMAKE_OPTION...]}
+preset=${1:?usage: build.sh PRESET [CMAKE_OPTION...] [-- TARGET...]}
 shift
+options=()
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+done
+targets=()
+if [ $# -gt 1 ]; then targets=(--target "${@:2}"); fi
 log=build/$preset.log
 mkdir -p build
 
-options=("$@")
 if command -v ccache >/dev/null; then options+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
 echo "building the preset $preset"
 {
     cmake --preset "$preset" "${options[@]}" &&
-        cmake --build --preset "$preset" -j "$(nproc)"
+        cmake --build --preset "$preset" -j "$(nproc)" "${targets[@]}"
 } >"$log" 2>&1 || {
     grep -n -m 20 -E 'error|Error|FAILED' "$log" >&2 || true
     tail -n 20 "$log" >&2

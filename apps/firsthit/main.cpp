@@ -59,7 +59,10 @@ int run(int argc, char** argv)
     } catch (const CLI::CallForVersion&) {
         print(app.version() + "\n");
     } catch (const CLI::ParseError& error) {
-        return fail(kExitUsage, fmt::format("{}\nRun firsthit --help for more.", error.what()));
+        const auto commands = app.get_subcommands();
+        const std::string command = commands.empty() ? "" : commands[0]->get_name() + " ";
+        return fail(
+            kExitUsage, fmt::format("{}\nRun firsthit {}--help for more.", error.what(), command));
     }
     return kExitDone;
 }

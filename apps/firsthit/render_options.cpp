@@ -22,7 +22,7 @@ constexpr const char* kExamples = R"(Examples:
   firsthit render builtin:torus -o torus.png
   firsthit render bunny.stl -o bunny.png --eye 0,0.12,0.3 --size 1920x1080 --samples 2
   firsthit render bunny.stl --aov item=item.npy --aov depth=depth.exr
-  firsthit render builtin:robots --frames 0:10:250 -o robots_%04d.png --stats
+  firsthit render builtin:robots --frames 0:10:251 -o robots_%04d.png --stats
 
 Pictures are .png (8 bit, sRGB) or .exr (float, linear); planes are .exr or .npy:
   item              triangle id, uint32; none = 0xFFFFFFFF

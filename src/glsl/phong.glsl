@@ -24,10 +24,11 @@ FIRSTHIT_PURE real3 visible_normal(real3 n, real3 geometric, real3 to_eye)
         mix(geometric.z, bent.z * inv, length2 > real(1.0e-12f)));
 }
 
-/// N.L, or 0 where the light is behind the shading normal or behind the triangle's plane.
-FIRSTHIT_PURE real lit_cosine(real3 n, real3 geometric, real3 to_light)
+/// N.L, or 0 where the light is behind the shading normal. The triangle's plane has no say: whether
+/// it faces the light changes at once from triangle to triangle, where a smooth surface should fade.
+FIRSTHIT_PURE real lit_cosine(real3 n, real3 to_light)
 {
-    return mix(real(0.0f), max(dot(n, to_light), 0.0f), dot(geometric, to_light) > real(0.0f));
+    return max(dot(n, to_light), 0.0f);
 }
 
 /// (R.V)^shininess, or 0 where `cosine`, the lit_cosine of the same point, is 0.

@@ -32,7 +32,7 @@ FIRSTHIT_PURE void store3_where(truth chosen, real3 a, float* const (&plane)[3],
 
 /// Ambient light and that of all lights.
 HWY_INLINE real3 phong(const TileShade& tile, const Material& material, real3 position,
-    real3 normal, real3 geometric, real3 to_eye, real3 texture)
+    real3 normal, real3 to_eye, real3 texture)
 {
     const Scene& scene = *tile.world.scene;
     const real3 diffuse = from_glm(material.diffuse) * texture;
@@ -43,7 +43,7 @@ HWY_INLINE real3 phong(const TileShade& tile, const Material& material, real3 po
     real3 color = from_glm(material.ambient * scene.ambient) * texture;
     for (const PointLight& light : tile.world.lights) {
         const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
-        const real cosine = lit_cosine(normal, geometric, to_light);
+        const real cosine = lit_cosine(normal, to_light);
         const real glint =
             !glossy ? real(0.0f)
                     : highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
@@ -96,8 +96,7 @@ HWY_INLINE void shade_samples(const TileShade& tile, std::uint32_t block, std::u
                 sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
         store3_where(chosen, from_glm(material.diffuse) * texture_color, targets.albedo, at);
         if (targets.color[0])
-            store3_where(chosen,
-                phong(tile, material, position, normal, geometric, to_eye, texture_color),
+            store3_where(chosen, phong(tile, material, position, normal, to_eye, texture_color),
                 targets.color, at);
     }
 }

@@ -100,10 +100,10 @@ expect 0 '"pixels": 512' compare builtin:torus --against brute --size 16x16 --fr
 
 # --- wrong usage ------------------------------------------------------------------------------
 expect 2 'subcommand' 
-expect 2 '' nonsense
+expect 2 'Run firsthit --help' nonsense
 expect 2 'SCENE' render
 expect 2 'nothing is asked for' render builtin:torus
-expect 2 '' render builtin:torus -o a.png --nonsense
+expect 2 'Run firsthit render --help' render builtin:torus -o a.png --nonsense
 expect 2 '' render builtin:torus extra -o a.png
 for size in 0x0 0x5 5x0 -1x5 100000x100000 65537x1 12xx x 12 '' 1x2x3 1.5x2 ax2 99999999999999999999x1; do
     expect 2 '--size.*accepted is WIDTHxHEIGHT' render builtin:torus -o a.png --size "$size"

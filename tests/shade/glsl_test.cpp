@@ -35,7 +35,7 @@ void main()
         vec3(0, 0, -1));
     vec3 p = hit_position(vec3(0), d, 3.0);
     vec3 n = visible_normal(p, vec3(0, 0, 1), unit(-d));
-    float cosine = lit_cosine(n, vec3(0, 0, 1), vec3(0, 1, 0));
+    float cosine = lit_cosine(n, vec3(0, 1, 0));
     float glint = highlight(n, unit(-d), vec3(0, 1, 0), cosine, -1, 7.5)
         + highlight(n, unit(-d), vec3(0, 1, 0), cosine, 4, 4.0);
     Texels texels = bilinear_texels(p.x, p.y, 64.0, 32.0);

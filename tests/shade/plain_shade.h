@@ -87,7 +87,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const ShadeTar
     const PhongExponent exponent = phong_exponent(material.shininess);
     for (const PointLight& light : world.lights) {
         const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
-        const real cosine = lit_cosine(normal, geometric, to_light);
+        const real cosine = lit_cosine(normal, to_light);
         const real glint =
             highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
         color = color + reflected(from_glm(light.color), diffuse, cosine,

@@ -76,15 +76,30 @@ TEST(ShadeTile, BothSidesOfATriangleLookTheSame)
     expect_near(color[0], color[1]);
 }
 
-TEST(ShadeTile, ALightBehindThePlaneAddsNothingWhateverTheNormalsSay)
+TEST(ShadeTile, ALightBehindTheNormalAddsNothing)
 {
     Ahead ahead;
     ahead.material().ambient = {0, 0, 0};
     ahead.material().specular = glm::vec3(1);
     ahead.add_wall();
     for (glm::vec3& n : ahead.world.normal) n = glm::normalize(glm::vec3(1, 0, 0.1f));
-    ahead.add_light({100, 0, -11});
+    ahead.add_light({-100, 0, -9});
     EXPECT_EQ(ahead.color(), glm::vec3(0));
+}
+
+TEST(ShadeTile, LightFadesEvenlyWhereItPassesBehindThePlane)
+{
+    glm::vec3 color[2];
+    for (int behind = 0; behind < 2; ++behind) {
+        Ahead ahead;
+        ahead.material().ambient = {0, 0, 0};
+        ahead.add_wall();
+        for (glm::vec3& n : ahead.world.normal) n = glm::normalize(glm::vec3(1, 0, 1));
+        ahead.add_light({100, 0, behind ? -10.0001 : -9.9999});
+        color[behind] = ahead.color();
+    }
+    EXPECT_GT(color[0].x, 0.5f);
+    expect_near(color[0], color[1], 1e-5f);
 }
 
 TEST(ShadeTile, NormalsThatOpposeTheWindingLookLikeThoseThatAgree)
