@@ -70,7 +70,8 @@ void check_patterns(const RenderOptions& options)
 std::string one_name(const std::string& path)
 {
     std::error_code error;
-    const auto name = std::filesystem::weakly_canonical(path, error);
+    const auto name =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
     return error ? path : name.string();
 }
 

@@ -246,6 +246,14 @@ std::vector<AdversarialScene> make_scenes()
                 ground(uniform(r, -500, 500), uniform(r, 200000, 900000)));
         }
     });
+    add("a far triangle between near corners", [](TestWorld& w, std::mt19937&) {
+        // The blocks in the picture's corners hide the last triangle, those between do not.
+        for (int k = 0; k < 80; ++k) {
+            const float x = k & 1 ? 30.0f : -30.0f, y = k & 2 ? 30.0f : -30.0f;
+            w.add(at(x, y, 2), at(x, y / 15, 2), at(x / 15, y, 2));
+        }
+        w.add(at(-200, -200, 5), at(200, -200, 5), at(0, 200, 5));
+    });
     add("many layers, far ones first", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {
             const float z = 20 - 0.3f * float(k);
