@@ -10,10 +10,10 @@
 
 namespace firsthit {
 
-/// Every stored w = 1/t is within this of the exact value, relatively. Two w that differ by more
-/// than kDepthSlack = 4 of these (two errors and the comparison's own roundings) are in the right
-/// order; closer ones are compared exactly.
-inline constexpr float kDepthError = 0x1p-20f;
+/// Every stored w = 1/t is within kDepthError of the exact value, relatively. Two w that differ by
+/// more than kDepthSlack (two errors and the comparison's own roundings take less than 3.3 * 2^-20)
+/// are in the right order; closer ones are compared exactly.
+inline constexpr float kDepthError = 0x1.8p-20f;
 inline constexpr float kDepthSlack = 0x1p-18f;
 
 /// The largest w that is stored, for depths below 2^-120: far from overflow, and two that are cut

@@ -114,13 +114,14 @@ TEST(RenderOptions, NoFileIsWrittenTwice)
 {
     EXPECT_EQ(message_of<UsageError>([] { check(parse("s -o a.exr --aov depth=a.exr")); }),
         "'a.exr' is to be written twice");
-    EXPECT_EQ(usage_message([] { check(parse("s --aov item=./a.npy --aov depth=a.npy")); }),
+    EXPECT_EQ(
+        message_of<UsageError>([] { check(parse("s --aov item=./a.npy --aov depth=a.npy")); }),
         "'a.npy' is to be written twice");
 }
 
 TEST(RenderOptions, TheSceneIsNotWrittenOver)
 {
-    EXPECT_EQ(usage_message([] { check(parse("s.obj --stats-json ./s.obj")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s.obj --stats-json ./s.obj")); }),
         "'./s.obj' is the scene: write to another file");
 }
 

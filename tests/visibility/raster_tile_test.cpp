@@ -101,7 +101,7 @@ TEST(RasterTile, StoresDepthsWithinTheirBound)
                     const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1};
                     const double exact = std::min(
                         exact_inverse_depth(eye.triangles[tile.item[at]], d), double(kGreatestW));
-                    EXPECT_LE(std::abs(tile.w[at] - exact), 1.5 * double(kDepthError) * exact);
+                    EXPECT_LE(std::abs(tile.w[at] - exact), double(kDepthError) * exact);
                 }
             }
         }
