@@ -39,7 +39,8 @@ TEST_P(ItemBuffer, IsTheSameForEveryThreadCountAndTileSize)
 {
     for_worlds([&](TestWorld& world, std::mt19937&) {
         const auto expected = items_of(world.world, view);
-        for (const int threads : {2, 7}) EXPECT_EQ(items_of(world.world, view, threads), expected);
+        for (const int threads : {2, 7, 64})
+            EXPECT_EQ(items_of(world.world, view, threads), expected);
         for (const int tile : {8, 16, 24, 32, 40, 128})
             EXPECT_EQ(items_of(world.world, view, 1, tile), expected) << "tile size " << tile;
     });

@@ -113,6 +113,50 @@ TEST(Watertight, EveryRayFromInsideAClosedMeshHitsItOddlyOften)
     }
 }
 
+TEST(Watertight, NoneOfHalfAMillionRaysInsideAClosedMeshEscapes)
+{
+    const Triangles mesh = sphere({0, 0, 0}, 3, 6);
+    Effort effort;
+    int escaped = 0;
+    for (int j = 0; j < 512; ++j) {
+        for (int i = 0; i < 1024; ++i) {
+            const float a = 6.2831853f * float(i) / 1024, b = 3.1415927f * float(j) / 512;
+            escaped +=
+                hits(mesh, {std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a)},
+                    effort) != 1;
+        }
+    }
+    EXPECT_EQ(escaped, 0);
+}
+
+TEST(Watertight, RaysThroughTheCornersOfASubdividedBoxHitItOnce)
+{
+    // Each face 8 x 8 quads; rays from inside through every corner and every edge's middle.
+    Triangles box;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0f, 1.0f}) {
+            const auto point = [&](int i, int j) {
+                vec3 p;
+                p[axis] = side;
+                p[(axis + 1) % 3] = float(i) / 4 - 1;
+                p[(axis + 2) % 3] = float(j) / 4 - 1;
+                return p - vec3(0.25f, -0.125f, 0.0625f);
+            };
+            for (int j = 0; j < 8; ++j) {
+                for (int i = 0; i < 8; ++i) {
+                    box.push_back({point(i, j), point(i + 1, j), point(i + 1, j + 1)});
+                    box.push_back({point(i, j), point(i + 1, j + 1), point(i, j + 1)});
+                }
+            }
+        }
+    }
+    Effort effort;
+    for (const Corners& c : box) {
+        EXPECT_EQ(hits(box, c[0], effort), 1);
+        EXPECT_EQ(hits(box, c[1] + c[2], effort), 1);
+    }
+}
+
 TEST(Watertight, EveryRayFromOutsideAClosedMeshHitsItEvenlyOften)
 {
     const Triangles mesh = sphere({0.5f, -0.25f, 4}, 2, 10);
