@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <set>
+#include <system_error>
 
 namespace firsthit::cli {
 
@@ -64,15 +66,30 @@ void check_patterns(const RenderOptions& options)
     }
 }
 
+/// One name for all the ways to spell a path, through links as well.
+std::string one_name(const std::string& path)
+{
+    std::error_code error;
+    const auto name =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    return error ? path : name.string();
+}
+
+/// No file is written twice, and none over the scene that is read.
 void check_no_file_twice(const RenderOptions& options)
 {
     std::vector<std::string> names = outputs(options);
     if (!options.stats_json.empty() && options.stats_json != "-")
         names.push_back(options.stats_json);
+    const std::string scene = one_name(options.scene.name);
     std::set<std::string> seen;
-    for (const std::string& name : names)
-        if (!seen.insert(name).second)
+    for (const std::string& name : names) {
+        const std::string written = one_name(name);
+        if (!seen.insert(written).second)
             throw UsageError(fmt::format("'{}' is to be written twice", name));
+        if (written == scene)
+            throw UsageError(fmt::format("'{}' is the scene: write to another file", name));
+    }
 }
 
 void check_memory(const RenderOptions& options)

@@ -18,10 +18,12 @@ class Buffer {
   public:
     /// Room for count elements; the content is undefined where it had to grow. `spare` more are
     /// reserved when it grows, so that slowly growing needs allocate seldom.
+    /// throws  std::bad_alloc; then it is empty
     void resize(std::size_t count, std::size_t spare = 0)
     {
         if (count > capacity_) {
             data_.reset();
+            size_ = capacity_ = 0; // in case there is no memory
             const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
             capacity_ = count + spare;

@@ -8,6 +8,7 @@
 #include "visibility/raster_tile.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace firsthit {
@@ -27,8 +28,8 @@ int tile_samples(int tile_size, int samples)
     return std::min((tile_size + step - 1) / step * step, kMaxTile / step * step);
 }
 
-/// Triangles to the tiles of one part of the picture.
-void see_triangles(const World& world, const View& view, const Region& part, int samples,
+/// Triangles to the tiles of one part of the picture; false where there are too many (bins.h).
+bool see_triangles(const World& world, const View& view, const Region& part, int samples,
     int tile_size, ViewMemory& memory, Tasks& tasks)
 {
     memory.pencil = pencil_of(view, part, samples);
@@ -39,7 +40,24 @@ void see_triangles(const World& world, const View& view, const Region& part, int
     memory.tile_of.resize(std::size_t(longest));
     for (int k = 0; k < longest; ++k) memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
     project_vertices(world.position, memory, tasks);
-    bin_triangles(world.scene->index, memory, tasks);
+    return bin_triangles(world.scene->index, memory, tasks);
+}
+
+/// The part cut in two between tiles, across its longer side.
+std::array<Region, 2> halves(const Region& part, int tile_pixels)
+{
+    Region first = part, second = part;
+    const auto cut = [&](int size) { return (size / tile_pixels + 1) / 2 * tile_pixels; };
+    if (part.width >= part.height) {
+        first.width = cut(part.width);
+        second.x += first.width;
+        second.width -= first.width;
+    } else {
+        first.height = cut(part.height);
+        second.y += first.height;
+        second.height -= first.height;
+    }
+    return {first, second};
 }
 
 /// Items, hits and colours of one part of the picture, each tile while it is in cache.
@@ -47,8 +65,13 @@ void render_part(const World& world, const View& view, const Region& part, const
     int tile_size, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     Stopwatch watch;
-    see_triangles(world, view, part, pass.samples, tile_size, memory.view, tasks);
+    const bool seen = see_triangles(world, view, part, pass.samples, tile_size, memory.view, tasks);
     stats.setup_ms += watch.lap_ms();
+    if (!seen) {
+        for (const Region& half : halves(part, tile_size / pass.samples))
+            render_part(world, view, half, pass, tile_size, memory, tasks, film, stats);
+        return;
+    }
 
     tasks.for_each(std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
         TileWorker& worker = *memory.workers[number];

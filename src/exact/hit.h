@@ -58,8 +58,9 @@ inline bool usable(const Corners& c)
 /// edge has no direction.
 int exact_edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, bool displaced);
 
-/// Sign of edge(a, b, d), displaced. 0 only where a and b are parallel.
-inline int edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, Effort& effort)
+/// The same in doubles first; expansions only where they cannot tell.
+inline int filtered_edge_sign(
+    const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, bool displaced, Effort& effort)
 {
     // A product of two floats is exact in double: one rounding for each component of a x b.
     const double nx = double(a.y) * double(b.z) - double(a.z) * double(b.y);
@@ -71,22 +72,19 @@ inline int edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d,
     if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz)))
         return e > 0 ? 1 : -1;
     ++effort.exact_calls;
-    return exact_edge_sign(a, b, d, true);
+    return exact_edge_sign(a, b, d, displaced);
+}
+
+/// Sign of edge(a, b, d), displaced. 0 only where a and b are parallel.
+inline int edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, Effort& effort)
+{
+    return filtered_edge_sign(a, b, d, true, effort);
 }
 
 /// Sign of v0 . (v1 x v2): 1 where the origin sees the corners clockwise in a right-handed frame.
 inline int volume_sign(const Corners& c, Effort& effort)
 {
-    const glm::vec3 &a = c[1], &b = c[2], &d = c[0];
-    const double nx = double(a.y) * double(b.z) - double(a.z) * double(b.y);
-    const double ny = double(a.z) * double(b.x) - double(a.x) * double(b.z);
-    const double nz = double(a.x) * double(b.y) - double(a.y) * double(b.x);
-    const double px = nx * double(d.x), py = ny * double(d.y), pz = nz * double(d.z);
-    const double e = (px + py) + pz;
-    if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz)))
-        return e > 0 ? 1 : -1;
-    ++effort.exact_calls;
-    return exact_edge_sign(a, b, d, false);
+    return filtered_edge_sign(c[1], c[2], c[0], false, effort);
 }
 
 /// Whether the ray along d hits the triangle at any t > 0.

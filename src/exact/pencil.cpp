@@ -11,6 +11,14 @@
 
 namespace firsthit {
 
+namespace {
+
+/// Far from where f times a vertex would leave what can be seen (kFarthest), yet a field of view
+/// far below what the vertices' floats resolve.
+constexpr double kLongestFocal = 1e15; // in samples
+
+} // namespace
+
 Pencil pencil_of(const View& view, const Region& region, int samples)
 {
     const Camera& camera = view.camera;
@@ -30,6 +38,10 @@ Pencil pencil_of(const View& view, const Region& region, int samples)
     const glm::dvec3 y = glm::cross(z, x); // down
     pencil.eye = camera.eye;
     pencil.f = 0.5 * view.height * samples / std::tan(0.5 * camera.fov_y_rad);
+    if (!(pencil.f <= kLongestFocal))
+        throw ArgumentError(fmt::format("field of view {} rad is too small: the focal length is "
+                                        "{:g} samples, at most {:g} are accepted",
+            camera.fov_y_rad, pencil.f, kLongestFocal));
     pencil.world_from_axes = glm::dmat3(x, y, z);
     pencil.eye_from_world = glm::transpose(glm::dmat3(pencil.f * x, pencil.f * y, z));
     pencil.width = region.width * samples;

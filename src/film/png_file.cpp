@@ -1,7 +1,7 @@
 // png_file.cpp - writes colour as 8-bit sRGB PNG.
+#include "base/srgb.h"
 #include "film/output_file.h"
 #include "film/picture_files.h"
-#include "film/srgb.h"
 
 #include <firsthit/error.h>
 
@@ -21,7 +21,6 @@ namespace {
 struct PngWriter {
     OutputFile file;
     const PlaneView& color;
-    SrgbTable table;
     std::vector<std::uint8_t> row;
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -79,7 +78,7 @@ bool write_rows(PngWriter& writer)
     png_write_info(png, writer.info);
     const std::size_t row_values = writer.row.size();
     for (png_uint_32 y = 0; y < height; ++y) {
-        writer.table.convert(writer.color.value.subspan(y * row_values, row_values), writer.row);
+        srgb_table().codes(writer.color.value.subspan(y * row_values, row_values), writer.row);
         png_write_row(png, writer.row.data());
     }
     png_write_end(png, nullptr);

@@ -24,9 +24,10 @@ View checked(const View& view)
             view.width, view.height, kMaxSize, kMaxSize));
     View filled = view;
     Region& region = filled.region;
-    if (region.width == 0) region.width = view.width - region.x;
-    if (region.height == 0) region.height = view.height - region.y;
-    if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+    const bool starts_inside = region.x >= 0 && region.y >= 0; // else x, y may overflow the rest
+    if (starts_inside && region.width == 0) region.width = view.width - region.x;
+    if (starts_inside && region.height == 0) region.height = view.height - region.y;
+    if (!starts_inside || region.width < 1 || region.height < 1 ||
         region.width > view.width - region.x || region.height > view.height - region.y)
         throw ArgumentError(fmt::format("region {}x{} at ({}, {}) does not lie in the picture, "
                                         "which is {}x{}",

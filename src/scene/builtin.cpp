@@ -1,6 +1,7 @@
 // builtin.cpp - finds a scene of the library's own by its name.
 #include "scene/builtin.h"
 #include "scene/mesh/text_cursor.h"
+#include "scene/parse_number.h"
 
 #include <firsthit/error.h>
 
@@ -23,12 +24,12 @@ std::uint64_t wave_parameter(std::string_view parameters)
     };
     const std::size_t equals = parameters.find('=');
     if (parameters.substr(0, equals) != "n") fail("unknown parameter");
-    std::int64_t n = 0;
-    if (equals == std::string_view::npos || !parse_integer(parameters.substr(equals + 1), n))
-        fail("n is no whole number");
-    if (n < static_cast<std::int64_t>(kMinWave) || n > static_cast<std::int64_t>(kMaxWave))
+    std::optional<std::int64_t> n;
+    if (equals != std::string_view::npos) n = parse_integer(parameters.substr(equals + 1));
+    if (!n) fail("n is no whole number");
+    if (*n < static_cast<std::int64_t>(kMinWave) || *n > static_cast<std::int64_t>(kMaxWave))
         fail("n is out of range");
-    return static_cast<std::uint64_t>(n);
+    return static_cast<std::uint64_t>(*n);
 }
 
 } // namespace

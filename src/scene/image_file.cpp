@@ -1,12 +1,14 @@
 // image_file.cpp - reads pictures by the library stb_image and our own PPM decoder.
 #include "scene/image_file.h"
 
-#include "scene/file_text.h"
 #include "scene/jpeg_check.h"
 #include "scene/mip_levels.h"
 #include "scene/pnm.h"
+#include "scene/whole_file.h"
 
 #include <firsthit/error.h>
+
+#include <fmt/format.h>
 
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
@@ -37,7 +39,7 @@ void check_png_chunks(const std::string& name, std::span<const char> bytes)
         if (is_last) return;
         at += kAround + length;
     }
-    throw FileError(name + ": the PNG picture is cut off or damaged at byte " + std::to_string(at));
+    throw FileError(fmt::format("{}: the PNG picture is cut off or damaged at byte {}", name, at));
 }
 
 /// PNG and JPEG.
@@ -45,12 +47,13 @@ Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
 {
     const auto fail = [&] {
         const char* reason = stbi_failure_reason();
-        throw FileError(name + ": not a PNG, JPEG or binary PPM picture, or a damaged one (" +
-                        (reason ? reason : "unknown reason") + ")");
+        throw FileError(
+            fmt::format("{}: not a PNG, JPEG or binary PPM picture, or a damaged one ({})", name,
+                reason ? reason : "unknown reason"));
     };
     if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
         throw FileError(
-            name + ": a picture file of " + std::to_string(bytes.size()) + " bytes is too large");
+            fmt::format("{}: a picture file of {} bytes is too large", name, bytes.size()));
     if (std::string_view(bytes.data(), bytes.size()).starts_with(kPngSignature))
         check_png_chunks(name, bytes);
     else
@@ -88,7 +91,7 @@ Texture decode_texture(const std::string& name, std::span<const char> bytes)
 
 Texture read_texture(const std::filesystem::path& path)
 {
-    const std::string bytes = read_file_text(path);
+    const std::string bytes = read_whole_file(path);
     return decode_texture(path.string(), bytes);
 }
 

@@ -3,6 +3,8 @@
 
 #include <firsthit/error.h>
 
+#include <fmt/format.h>
+
 #include <cstddef>
 
 namespace firsthit {
@@ -22,9 +24,9 @@ void check_jpeg_tables(const std::string& name, std::span<const char> bytes)
             std::size_t codes = 0;
             for (std::size_t length = 1; length <= 16; ++length) codes += byte(table + length);
             if (codes > 256)
-                throw FileError(name + ": the JPEG picture has a Huffman table of " +
-                                std::to_string(codes) + " codes at byte " + std::to_string(table) +
-                                "; accepted are at most 256");
+                throw FileError(fmt::format("{}: the JPEG picture has a Huffman table of {} codes "
+                                            "at byte {}; accepted are at most 256",
+                    name, codes, table));
             table += 17 + codes;
         }
     }

@@ -1,11 +1,12 @@
 // mesh_file.cpp - PLY, STL and OBJ files as scenes.
 #include "scene/mesh_file.h"
+
 #include "scene/mesh/assimp_mesh.h"
 #include "scene/mesh/checked_mesh.h"
-#include "scene/mesh/file_bytes.h"
 #include "scene/mesh/mesh_materials.h"
 #include "scene/mesh/mesh_vertices.h"
 #include "scene/mesh/mtl.h"
+#include "scene/whole_file.h"
 
 #include <firsthit/error.h>
 
@@ -45,7 +46,8 @@ Scene read_mesh_file(const std::filesystem::path& path, const LoadSettings& sett
     std::transform(extension.begin(), extension.end(), extension.begin(),
         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    return read_mesh(read_bytes(path), extension, path.string(), folder, settings);
+    return read_mesh(
+        read_whole_file(path, kMaxMeshFile), extension, path.string(), folder, settings);
 }
 
 Scene read_mesh(std::string bytes, const std::string& extension, const std::string& name,

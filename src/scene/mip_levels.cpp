@@ -1,7 +1,7 @@
 // mip_levels.cpp - averages a texture down to one texel.
 #include "scene/mip_levels.h"
 
-#include "scene/srgb.h"
+#include "base/srgb.h"
 
 #include <glm/vec4.hpp>
 
@@ -28,12 +28,11 @@ glm::vec4 linear_texel(std::uint32_t rgba, const std::array<float, 256>& light)
         static_cast<float>(rgba >> 24) / 255.0f};
 }
 
-std::uint32_t srgb_texel(const glm::vec4& linear)
+std::uint32_t srgb_texel(const glm::vec4& linear, const SrgbTable& table)
 {
     const auto alpha = static_cast<std::uint32_t>(std::lround(linear.w * 255.0f));
-    return std::uint32_t(srgb8_from_linear(linear.x)) |
-           (std::uint32_t(srgb8_from_linear(linear.y)) << 8) |
-           (std::uint32_t(srgb8_from_linear(linear.z)) << 16) | (std::min(alpha, 255u) << 24);
+    return std::uint32_t(table.code(linear.x)) | (std::uint32_t(table.code(linear.y)) << 8) |
+           (std::uint32_t(table.code(linear.z)) << 16) | (std::min(alpha, 255u) << 24);
 }
 
 /// Which texels a smaller one covers along one axis, and their shares. Half of an odd size 2n + 1
@@ -89,7 +88,8 @@ Texture::Level stored_level(const LinearLevel& linear)
 {
     Texture::Level level{linear.width, linear.height, {}};
     level.texel.resize(linear.texel.size());
-    std::transform(linear.texel.begin(), linear.texel.end(), level.texel.begin(), srgb_texel);
+    std::transform(linear.texel.begin(), linear.texel.end(), level.texel.begin(),
+        [&table = srgb_table()](const glm::vec4& texel) { return srgb_texel(texel, table); });
     return level;
 }
 
@@ -102,7 +102,7 @@ void make_mip_levels(Texture& texture)
     if (picture.width == 1 && picture.height == 1) return;
 
     // From the stored picture only once: later levels come from unrounded light.
-    const std::array<float, 256>& light = linear_from_srgb8();
+    const std::array<float, 256>& light = linear_from_srgb();
     LinearLevel linear = half_level(picture.width, picture.height, [&](int x, int y) {
         return linear_texel(
             picture.texel[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)], light);

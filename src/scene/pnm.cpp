@@ -3,6 +3,8 @@
 
 #include <firsthit/error.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +27,8 @@ class Header {
         const std::size_t start = at_;
         while (at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9')
             value = std::min(value * 10 + (bytes_[at_++] - '0'), 1'000'000'000LL);
-        if (at_ == start) throw FileError(name_ + ": the picture's header lacks its " + what);
+        if (at_ == start)
+            throw FileError(fmt::format("{}: the picture's header lacks its {}", name_, what));
         return value;
     }
 
@@ -60,12 +63,12 @@ bool is_pnm(std::span<const char> bytes)
 
 void check_picture_size(const std::string& name, long long width, long long height)
 {
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width < 1 || height < 1) throw FileError(name + ": the picture is empty (" + size + ")");
+    if (width < 1 || height < 1)
+        throw FileError(fmt::format("{}: the picture is empty ({} x {})", name, width, height));
     if (width > kMaxSide || height > kMaxSide || width * height > kMaxTexels)
-        throw FileError(name + ": a picture of " + size + " is too large, at most " +
-                        std::to_string(kMaxSide) + " on a side and " + std::to_string(kMaxTexels) +
-                        " texels are accepted");
+        throw FileError(fmt::format("{}: a picture of {} x {} is too large, at most {} on a side "
+                                    "and {} texels are accepted",
+            name, width, height, kMaxSide, kMaxTexels));
 }
 
 Texture::Level decode_pnm(const std::string& name, std::span<const char> bytes)
@@ -76,8 +79,8 @@ Texture::Level decode_pnm(const std::string& name, std::span<const char> bytes)
     const long long maximum = header.number("largest value");
     check_picture_size(name, width, height);
     if (maximum < 1 || maximum > 65535)
-        throw FileError(name + ": the picture's largest value is " + std::to_string(maximum) +
-                        ", 1 to 65535 is accepted");
+        throw FileError(fmt::format(
+            "{}: the picture's largest value is {}, 1 to 65535 is accepted", name, maximum));
 
     const std::size_t channels = bytes[1] == '6' ? 3 : 1;
     const std::size_t width_bytes = maximum > 255 ? 2 : 1;
@@ -85,8 +88,8 @@ Texture::Level decode_pnm(const std::string& name, std::span<const char> bytes)
     const std::span<const char> data = bytes.subspan(header.end());
     const std::size_t needed = texels * channels * width_bytes;
     if (data.size() < needed)
-        throw FileError(name + ": the picture has " + std::to_string(data.size()) +
-                        " bytes of pixels instead of " + std::to_string(needed));
+        throw FileError(fmt::format(
+            "{}: the picture has {} bytes of pixels instead of {}", name, data.size(), needed));
 
     const auto value = [&](std::size_t k) {
         const auto byte = [&](std::size_t i) {

@@ -19,7 +19,7 @@ struct TileShade {
     const HitTile& hits;
     const World& world;
     const ShadeTargets& targets;
-    const float* linear; // see srgb_table.h
+    const float* linear; // light of the 256 sRGB codes
 };
 
 FIRSTHIT_PURE void store3_where(truth chosen, real3 a, float* const (&plane)[3], std::size_t at)

@@ -1,8 +1,8 @@
 // shade_tile.cpp - what colour is it? Block by block: spread the runs, then light each material.
 #include "shade/shade_tile.h"
 
+#include "base/srgb.h"
 #include "shade/run_setup.h"
-#include "shade/srgb_table.h"
 
 #include <array>
 #include <bit>
@@ -51,7 +51,7 @@ class BlockMaterials {
 
 void shade(const HitTile& hits, const World& world, const ShadeTargets& targets)
 {
-    const TileShade tile{hits, world, targets, linear_of_srgb()};
+    const TileShade tile{hits, world, targets, linear_from_srgb().data()};
     const ShadeArrays arrays = shade_arrays(world);
     fill_background(hits, world.scene->background, targets);
 

@@ -11,6 +11,9 @@ namespace {
 /// Triangles of one range: enough to be worth a task, few enough to share out.
 constexpr std::size_t kRange = 8192;
 
+/// Entries beyond four a triangle that are accepted at once: 400 MB.
+constexpr std::uint64_t kManyEntries = std::uint64_t(1) << 25;
+
 /// The triangle's samples, or an empty box: the corners' boxes decide in three loads and two minima
 /// (saturation is not needed: first <= 8192, minus_last <= 1).
 inline bool box_of(
@@ -29,7 +32,7 @@ inline bool box_of(
         return found.has_value();
     }
     if (x0 + mx1 > 0 || y0 + my1 > 0) return false;
-    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1)};
+    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1), std::min({a.z, b.z, c.z})};
     return true;
 }
 
@@ -88,14 +91,14 @@ void scatter_range(std::size_t range, ViewMemory& memory)
                 return std::uint8_t(std::clamp(sample - tile * size, 0, size - 1));
             };
             memory.entry[cursor[ty * memory.tiles_x + tx]++] = {box->triangle, local(box->x0, tx),
-                local(box->y0, ty), local(box->x1, tx), local(box->y1, ty)};
+                local(box->y0, ty), local(box->x1, tx), local(box->y1, ty), box->nearest_z};
         });
     }
 }
 
 } // namespace
 
-void bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks)
+bool bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks)
 {
     const std::size_t ranges = (index.size() + kRange - 1) / kRange;
     const std::size_t tiles = std::size_t(memory.tiles());
@@ -110,9 +113,11 @@ void bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks&
     memory.in_view_count = 0;
     for (std::size_t range = 0; range < ranges; ++range)
         memory.in_view_count += memory.range_count[range];
+    if (memory.entry_count > kManyEntries + 4 * index.size() && tiles > 1) return false;
     // Room to spare, untouched: a moving scene's entries grow and shrink from frame to frame.
     memory.entry.resize(memory.entry_count, memory.entry_count + index.size() + 64 * tiles);
     tasks.for_each(ranges, [&](std::size_t range, std::size_t) { scatter_range(range, memory); });
+    return true;
 }
 
 } // namespace firsthit

@@ -9,6 +9,11 @@ namespace firsthit {
 /// Sorts the triangles by tile: fills memory.entry and memory.tile_start from memory.corner and
 /// memory.box. Conservative: a triangle that hits a sample is among the entries of the sample's
 /// tile, with a box that holds the sample. Within a tile the entries are in order of their ids.
-void bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks);
+///
+/// returns  false, and no entries, where there would be too many for the memory: many triangles
+/// that
+///          each cover many tiles. Then the picture should be divided. A single tile is never
+///          refused.
+bool bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks);
 
 } // namespace firsthit

@@ -61,7 +61,7 @@ std::optional<InView> careful_box(
     std::uint32_t triangle, const Corners& corners, const Pencil& pencil)
 {
     if (!usable(corners)) return std::nullopt;
-    InView box{triangle, 0, 0, 0, 0};
+    InView box{triangle, 0, 0, 0, 0, std::min({corners[0].z, corners[1].z, corners[2].z})};
     if (!samples_inside(project_front(corners, 0), pencil.x0, pencil.width, box.x0, box.x1) ||
         !samples_inside(project_front(corners, 1), pencil.y0, pencil.height, box.y0, box.y1))
         return std::nullopt;

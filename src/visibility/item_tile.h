@@ -10,11 +10,15 @@
 
 namespace firsthit {
 
-/// Every stored w = 1/t is within this of the exact value, relatively. Two w that differ by more
-/// than kDepthSlack = 4 of these (two errors and the comparison's own roundings) are in the right
-/// order; closer ones are compared exactly.
-inline constexpr float kDepthError = 0x1p-20f;
+/// Every stored w = 1/t is within kDepthError of the exact value, relatively. Two w that differ by
+/// more than kDepthSlack (two errors and the comparison's own roundings take less than 3.3 * 2^-20)
+/// are in the right order; closer ones are compared exactly.
+inline constexpr float kDepthError = 0x1.8p-20f;
 inline constexpr float kDepthSlack = 0x1p-18f;
+
+/// The largest w that is stored, for depths below 2^-120: far from overflow, and two that are cut
+/// down to it are compared exactly.
+inline constexpr float kGreatestW = 0x1p120f;
 
 /// Triangles that are set up together.
 inline constexpr int kBatch = 64;
@@ -26,7 +30,8 @@ enum class Kernel : std::int32_t {
     small, // edges and depth in float, quad by quad
     large, // the same behind a test of whole blocks
     wide,  // depth in double: its float error is too large (seen at a grazing angle)
-    exact, // neither is certain (the eye is nearly in the triangle's plane): sample by sample
+    exact, // neither is certain (the eye is nearly in the triangle's plane), or 1/t might overflow:
+           // sample by sample
 };
 
 /// Structure of arrays, written by set_up, read by the kernels. Edges and depth are affine in the
@@ -90,7 +95,6 @@ struct ItemTile {
 
     /// Entries sorted at once, nearest first.
     static constexpr std::size_t kChunk = 4096;
-    float chunk_w[kChunk];
     std::uint16_t chunk_order[kChunk];
     std::uint8_t chunk_depth[kChunk];
 

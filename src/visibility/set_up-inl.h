@@ -1,11 +1,16 @@
 // set_up-inl.h - edges and depth of a batch of triangles, one triangle a lane.
 //
-// Everything is computed in double and rounded once to float. With u = 2^-24, c, gx, gy rounded
-// (u each), two products and two sums, |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), X and Y the
-// largest offsets. Edges are scaled so that the bracket is 1: one constant bounds them all. The
-// double part adds less than 2^-30: the products of a x b are exact, so each term has at most four
-// roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| <= 2^18 times the bracket for the largest
-// picture.
+// Everything is computed in double and rounded once to float. With u = 2^-24: c, gx, gy are rounded
+// (u each), then come two products and two sums, so |computed e - e| <= 5 u (|c| + X |gx| + Y
+// |gy|), X and Y the largest offsets; the steps of the tiny kernel add less than u. Edges are
+// scaled so that the bracket is 1: one constant bounds them all. The double part adds less than
+// 2^-30: the products of a x b are exact, so each term has at most four roundings of 2^-53, and |nx
+// X0| + |ny Y0| + |nz|
+// <= 2^18 times the bracket for the largest picture.
+//
+// Depth is not scaled: 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w where the bracket is at most 3 w,
+// which is asked of the triangle's least w = 1 / its farthest z; the double part is asked to stay
+// below 2.5 u w, and the tiny kernel's steps add 3 u w: less than kDepthError = 24 u in all.
 #if defined(FIRSTHIT_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SET_UP_INL_H
 #undef FIRSTHIT_SET_UP_INL_H
@@ -117,9 +122,12 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
                                       hn::Mul(p.n_size.y, hn::Add(hn::Abs(oy), extent_y))),
         p.n_size.z);
     const auto float_fits = hn::Le(hn::Mul(float_size, farthest_z), hn::Set(d, 3.0));
-    const auto double_fits = hn::And(
+    const auto well_conditioned = hn::And(
         hn::Ge(hn::Abs(p.volume), hn::Mul(hn::Set(d, 0x1p-24), p.volume_size)),
         hn::Le(hn::Mul(double_size, farthest_z), hn::Mul(hn::Set(d, 0x1p27), hn::Abs(p.volume))));
+    // False for NaN: a volume of 0.
+    const auto double_fits =
+        hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
 
     // Edges, positive inside, |e| <= 1 over the extent.
     auto gx0 = hn::Undefined(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,

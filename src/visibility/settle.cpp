@@ -3,6 +3,7 @@
 
 #include <firsthit/scene.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace firsthit {
@@ -15,25 +16,20 @@ Corners corners_of(const ViewMemory& view, std::uint32_t triangle)
         glm::vec3(view.corner[corner.z])};
 }
 
-bool known_coplanar(ItemTile& tile, std::uint32_t a, std::uint32_t b, const Corners& corners_a,
-    const Corners& corners_b)
-{
-    CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
-    if (known.a != a || known.b != b) {
-        ++tile.counts.effort.exact_calls;
-        known = {a, b, are_coplanar(corners_a, corners_b)};
-    }
-    return known.coplanar;
-}
-
 /// Whether triangle a (hit, w too close to call) comes before the stored triangle b.
 bool comes_first(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const Corners& corners_a,
     std::uint32_t b, const glm::vec3& d)
 {
+    CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
+    const bool seen = known.a == a && known.b == b;
+    if (seen && known.coplanar) return a < b;
     const Corners corners_b = corners_of(view, b);
-    const int certain = compare_depth_fast(corners_a, corners_b, d);
-    if (certain != 0) return certain < 0;
-    if (known_coplanar(tile, a, b, corners_a, corners_b)) return a < b;
+    if (const int certain = compare_depth_fast(corners_a, corners_b, d)) return certain < 0;
+    if (!seen) {
+        ++tile.counts.effort.exact_calls;
+        known = {a, b, are_coplanar(corners_a, corners_b)};
+        if (known.coplanar) return a < b;
+    }
     const int order = compare_depth(corners_a, corners_b, d, tile.counts.effort);
     return order < 0 || (order == 0 && a < b);
 }
@@ -82,7 +78,7 @@ void settle_box(const ViewMemory& view, ItemTile& tile, int i)
             const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1.0f};
             ++tile.counts.uncertain;
             if (!is_hit(corners, d, tile.counts.effort)) continue;
-            const float w = float(exact_inverse_depth(corners, d));
+            const float w = float(std::min(exact_inverse_depth(corners, d), double(kGreatestW)));
             const int offset = tile.column_offset[x] + tile.row_offset[y];
             propose(view, tile, batch.triangle[i], corners, std::size_t(offset), w, d);
         }

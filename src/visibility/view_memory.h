@@ -13,29 +13,32 @@
 namespace firsthit {
 
 /// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
-/// corners' boxes is its own box, and empty where first > last. 8 bytes, so that three loads and
-/// two minima do.
+/// corners' boxes is its own box, and empty where first > last. The depth comes along, so that a
+/// triangle's nearest corner is known without another look. 12 bytes.
 struct VertexBox {
     std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
     std::int16_t first_y;
     std::int16_t minus_last_x; // minus the last sample at or left of it, in [-(width - 1), 1]
     std::int16_t minus_last_y;
+    float z; // in eye space
 
     /// In first_x: the vertex has no projection, its triangles take the careful way.
     static constexpr std::int16_t kBehind = -1;
 };
-static_assert(sizeof(VertexBox) == 8);
+static_assert(sizeof(VertexBox) == 12);
 
-/// A triangle that may hit a sample: its samples, ends included. 12 bytes.
+/// A triangle that may hit a sample: its samples, ends included. 16 bytes.
 struct InView {
     std::uint32_t triangle;
     std::int16_t x0, y0, x1, y1;
+    float nearest_z; // of its corners; 0 or less: it reaches behind the eye
 };
 
-/// A triangle in a tile: its samples inside the tile, ends included. 8 bytes.
+/// A triangle in a tile: its samples inside the tile, ends included. 12 bytes.
 struct TileEntry {
     std::uint32_t triangle;
     std::uint8_t x0, y0, x1, y1;
+    float nearest_z;
 };
 
 struct ViewMemory {

@@ -1,6 +1,8 @@
 // camera_options_test.cpp - parts of a camera replaced from the command line.
-#include "apps/usage_message.h"
 #include "camera_options.h"
+#include "usage.h"
+
+#include "message_of.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +68,7 @@ TEST(CameraOptions, AnEyeAtThePointItLooksAtIsAnError)
 {
     CameraOptions options;
     options.eye = options.at = glm::dvec3(1, 2, 3);
-    EXPECT_EQ(usage_message([&] { override_camera(kCamera, options, {}); }),
+    EXPECT_EQ(message_of<UsageError>([&] { override_camera(kCamera, options, {}); }),
         "the eye and the point that it looks at coincide: move --eye or --at");
 }
 
@@ -74,7 +76,7 @@ TEST(CameraOptions, AnUpAlongTheDirectionIsAnError)
 {
     CameraOptions options;
     options.up = glm::dvec3(0, 0, 1);
-    EXPECT_EQ(usage_message([&] { override_camera(kCamera, options, {}); }),
+    EXPECT_EQ(message_of<UsageError>([&] { override_camera(kCamera, options, {}); }),
         "--up is parallel to the direction of view: choose another");
     options.up = glm::dvec3(0);
     EXPECT_THROW(override_camera(kCamera, options, {}), UsageError);

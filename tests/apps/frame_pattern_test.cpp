@@ -1,6 +1,8 @@
 // frame_pattern_test.cpp - names of numbered files.
-#include "apps/usage_message.h"
 #include "frame_pattern.h"
+#include "usage.h"
+
+#include "message_of.h"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +37,10 @@ TEST(FramePattern, AcceptsNothingElse)
 
 TEST(FramePattern, SaysWhatIsWrong)
 {
-    EXPECT_EQ(usage_message([] { FramePattern("a.png"); }),
+    EXPECT_EQ(message_of<UsageError>([] { FramePattern("a.png"); }),
         "'a.png' has no %d: the names of frames need exactly one place for their number, as in "
         "out_%04d.png");
-    EXPECT_EQ(usage_message([] { FramePattern("%s"); }),
+    EXPECT_EQ(message_of<UsageError>([] { FramePattern("%s"); }),
         "'%s' has a % that is not %d, %4d or %04d: the names of frames need exactly one place for "
         "their number, as in out_%04d.png");
 }

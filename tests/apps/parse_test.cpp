@@ -1,6 +1,8 @@
 // parse_test.cpp - words of the command line become values, or errors that quote them.
-#include "apps/usage_message.h"
 #include "parse.h"
+#include "usage.h"
+
+#include "message_of.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ TEST(Parse, ASizeGoesFromOneTo65536)
 
 TEST(Parse, AWrongSizeIsQuotedWithWhatIsAccepted)
 {
-    EXPECT_EQ(usage_message([] { parse_size("0x10"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_size("0x10"); }),
         "'0x10' is no size: accepted is WIDTHxHEIGHT, each 1 to 65536, as 1024x768");
 }
 
@@ -53,7 +55,8 @@ TEST(Parse, AnIntegerStaysInItsRange)
     EXPECT_EQ(parse_integer("16", 1, 16), 16);
     for (const char* text : {"0", "17", "-1", "", "4x", "1.0", "99999999999999999999"})
         EXPECT_THROW(parse_integer(text, 1, 16), UsageError) << text;
-    EXPECT_EQ(usage_message([] { parse_integer("17", 1, 16); }), "'17' is no integer from 1 to 16");
+    EXPECT_EQ(message_of<UsageError>([] { parse_integer("17", 1, 16); }),
+        "'17' is no integer from 1 to 16");
 }
 
 TEST(Parse, FramesIncludeBothEnds)
@@ -83,7 +86,8 @@ TEST(Parse, AnUnknownPlaneIsAnErrorThatListsTheNames)
 {
     EXPECT_THROW(parse_aov("item"), UsageError);
     EXPECT_THROW(parse_aov("item="), UsageError);
-    EXPECT_NE(usage_message([] { parse_aov("z=z.exr"); }).find("item, depth"), std::string::npos);
+    EXPECT_NE(message_of<UsageError>([] { parse_aov("z=z.exr"); }).find("item, depth"),
+        std::string::npos);
 }
 
 TEST(Parse, AFieldOfViewLiesBetweenZeroAnd180Degrees)

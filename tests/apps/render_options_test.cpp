@@ -1,7 +1,9 @@
 // render_options_test.cpp - the command line of `render`, before any scene is loaded.
-#include "apps/usage_message.h"
-#include "film/temporary_folder.h"
 #include "render_options.h"
+#include "usage.h"
+
+#include "message_of.h"
+#include "temporary_folder.h"
 
 #include <firsthit/error.h>
 
@@ -55,7 +57,7 @@ TEST(RenderOptions, PlanesAreCollectedAndLeaveTheSceneAlone)
 
 TEST(RenderOptions, WrongValuesAreNamedByTheirOption)
 {
-    EXPECT_EQ(usage_message([] { parse("s -o a.png --samples 17"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse("s -o a.png --samples 17"); }),
         "--samples: '17' is no integer from 1 to 16");
     for (const char* line : {"s -o a.png --size 0x0", "s -o a.png --threads -1",
              "s -o a.png --tile-size 12", "s -o a.png --fov 180", "s -o a.png --aov depth",
@@ -72,16 +74,16 @@ TEST(RenderOptions, WhatIsNoOptionIsRefused)
 
 TEST(RenderOptions, SomethingMustBeAskedFor)
 {
-    EXPECT_EQ(usage_message([] { check(parse("s")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s")); }),
         "nothing is asked for: say -o FILE, --aov NAME=FILE or --stats");
-    EXPECT_EQ(usage_message([] { check(parse("s --stats")); }), "no error");
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s --stats")); }), "no error");
 }
 
 TEST(RenderOptions, EndingsAreKnownBeforeTheSceneIsLoaded)
 {
-    EXPECT_EQ(usage_message([] { check(parse("s -o a.jpg")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s -o a.jpg")); }),
         "a.jpg: unknown ending '.jpg' for a picture: accepted are .png and .exr");
-    EXPECT_EQ(usage_message([] { check(parse("s --aov item=a.png")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s --aov item=a.png")); }),
         "a.png: unknown ending '.png' for a plane: accepted are .exr and .npy");
 }
 
@@ -104,14 +106,23 @@ TEST(RenderOptions, FramesNeedNumbersInEveryName)
 
 TEST(RenderOptions, NumbersNeedFrames)
 {
-    EXPECT_EQ(usage_message([] { check(parse("s -o a_%04d.png")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s -o a_%04d.png")); }),
         "'a_%04d.png' numbers frames: say which with --frames");
 }
 
 TEST(RenderOptions, NoFileIsWrittenTwice)
 {
-    EXPECT_EQ(usage_message([] { check(parse("s -o a.exr --aov depth=a.exr")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s -o a.exr --aov depth=a.exr")); }),
         "'a.exr' is to be written twice");
+    EXPECT_EQ(
+        message_of<UsageError>([] { check(parse("s --aov item=./a.npy --aov depth=a.npy")); }),
+        "'a.npy' is to be written twice");
+}
+
+TEST(RenderOptions, TheSceneIsNotWrittenOver)
+{
+    EXPECT_EQ(message_of<UsageError>([] { check(parse("s.obj --stats-json ./s.obj")); }),
+        "'./s.obj' is the scene: write to another file");
 }
 
 TEST(RenderOptions, AFilmTakesFourBytesAValue)

@@ -197,6 +197,15 @@ std::vector<AdversarialScene> make_scenes()
         for (int k = 0; k < 100; ++k)
             w.add(1e-20f * random_at(r), 1e-20f * random_at(r), 1e-20f * random_at(r));
     });
+    add("so near that 1/t overflows", [](TestWorld& w, std::mt19937& r) {
+        for (int k = 0; k < 90; ++k) {
+            const float scale = std::pow(2.0f, -uniform(r, 118, 136));
+            const float half = k % 3 == 0 ? 1.0f : 30.0f;
+            const vec3 p = at(uniform(r, -20, 20), uniform(r, -20, 20), 1);
+            const auto near_p = [&] { return scale * (p + random_at(r, half)); };
+            w.add(near_p(), near_p(), near_p());
+        }
+    });
     add("degenerate triangles", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {
             const vec3 a = random_at(r), b = random_at(r);
@@ -236,6 +245,14 @@ std::vector<AdversarialScene> make_scenes()
             w.add(ground(-20000, uniform(r, 1, 4)), ground(20000, uniform(r, 1, 4)),
                 ground(uniform(r, -500, 500), uniform(r, 200000, 900000)));
         }
+    });
+    add("a far triangle between near corners", [](TestWorld& w, std::mt19937&) {
+        // The blocks in the picture's corners hide the last triangle, those between do not.
+        for (int k = 0; k < 80; ++k) {
+            const float x = k & 1 ? 30.0f : -30.0f, y = k & 2 ? 30.0f : -30.0f;
+            w.add(at(x, y, 2), at(x, y / 15, 2), at(x / 15, y, 2));
+        }
+        w.add(at(-200, -200, 5), at(200, -200, 5), at(0, 200, 5));
     });
     add("many layers, far ones first", [](TestWorld& w, std::mt19937& r) {
         for (int k = 0; k < 60; ++k) {

@@ -2,6 +2,7 @@
 #include "items.h"
 #include "scenes.h"
 
+#include <algorithm>
 #include <random>
 
 namespace firsthit::test {
@@ -64,6 +65,20 @@ TEST(Scale, DropsNoneOfTwoHundredThousandFacesInOneTile)
     world.finish();
     for (const std::uint32_t item : items_of(world.world, straight_view(32, 32, 32)))
         ASSERT_EQ(item, count - 1);
+}
+
+TEST(Scale, DividesPicturesWithTooManyTrianglesInEveryTile)
+{
+    // 140,000 triangles over 17 x 16 tiles would be 38 million entries.
+    TestWorld world;
+    const std::uint32_t count = 140000, nearest = count / 2;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const float z = k == nearest ? 1 : 2 + float(k) * 0x1p-10f;
+        world.add({-9 * z, -9 * z, z}, {9 * z, -9 * z, z}, {0, 9 * z, z});
+    }
+    world.finish();
+    const auto items = items_of(world.world, straight_view(1030, 1000, 1000), 2);
+    EXPECT_EQ(std::size_t(std::count(items.begin(), items.end(), nearest)), items.size());
 }
 
 TEST(Scale, NamesTheLastOfSixteenMillionAndOneTriangles)

@@ -1,6 +1,8 @@
 // output_file_test.cpp - a file appears whole or not at all.
 #include "film/output_file.h"
-#include "film/temporary_folder.h"
+
+#include "message_of.h"
+#include "temporary_folder.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
@@ -8,20 +10,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <functional>
-
 namespace firsthit {
 namespace {
-
-std::string message_of(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 TEST(OutputFile, IsNotThereUntilItIsCommitted)
 {
@@ -90,7 +80,7 @@ TEST(OutputFile, AMissingFolderIsNamed)
 {
     const TemporaryFolder folder;
     const std::string path = folder / "none/a.bin";
-    EXPECT_EQ(message_of([&] { OutputFile file(path); }),
+    EXPECT_EQ(message_of<FileError>([&] { OutputFile file(path); }),
         path + ": cannot write: the folder '" + (folder / "none") + "' does not exist");
 }
 
@@ -98,20 +88,22 @@ TEST(OutputFile, AFolderIsNoFile)
 {
     const TemporaryFolder folder;
     const std::string path = folder / "";
-    EXPECT_EQ(message_of([&] { OutputFile file(path); }), path + ": cannot write: Is a directory");
+    EXPECT_EQ(message_of<FileError>([&] { OutputFile file(path); }),
+        path + ": cannot write: Is a directory");
 }
 
 TEST(OutputFile, AFileIsNoFolder)
 {
     const TemporaryFolder folder;
     write_file(folder / "a", "text");
-    EXPECT_EQ(message_of([&] { OutputFile file(folder / "a/b.bin"); }),
+    EXPECT_EQ(message_of<FileError>([&] { OutputFile file(folder / "a/b.bin"); }),
         (folder / "a/b.bin") + ": cannot write: Not a directory");
 }
 
 TEST(OutputFile, AnEmptyNameIsAnError)
 {
-    EXPECT_EQ(message_of([] { OutputFile file(""); }), "cannot write to a file without a name");
+    EXPECT_EQ(message_of<FileError>([] { OutputFile file(""); }),
+        "cannot write to a file without a name");
 }
 
 TEST(OutputFile, AFolderWithoutPermissionIsAnError)
@@ -120,7 +112,7 @@ TEST(OutputFile, AFolderWithoutPermissionIsAnError)
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "closed");
     chmod((folder / "closed").c_str(), 0500);
-    EXPECT_EQ(message_of([&] { OutputFile file(folder / "closed/a"); }),
+    EXPECT_EQ(message_of<FileError>([&] { OutputFile file(folder / "closed/a"); }),
         (folder / "closed/a") + ": cannot write: Permission denied");
 }
 
@@ -128,14 +120,14 @@ TEST(OutputFile, ANameThatIsTooLongLeavesNothing)
 {
     const TemporaryFolder folder;
     const std::string path = folder / std::string(300, 'x');
-    EXPECT_EQ(
-        message_of([&] { write_file(path, "text"); }), path + ": cannot write: File name too long");
+    EXPECT_EQ(message_of<FileError>([&] { write_file(path, "text"); }),
+        path + ": cannot write: File name too long");
     EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(OutputFile, AFullDiskIsReported)
 {
-    EXPECT_EQ(message_of([] { write_file("/dev/full", "text"); }),
+    EXPECT_EQ(message_of<FileError>([] { write_file("/dev/full", "text"); }),
         "/dev/full: cannot write: No space left on device");
 }
 
@@ -143,11 +135,11 @@ TEST(OutputFile, SaysItAgainAtTheCommitWhenAnErrorWasSwallowed)
 {
     const std::string block(1 << 20, 'x');
     OutputFile file("/dev/full");
-    EXPECT_EQ(message_of([&] { file.write(block.data(), block.size()); }),
+    EXPECT_EQ(message_of<FileError>([&] { file.write(block.data(), block.size()); }),
         "/dev/full: cannot write: No space left on device");
     EXPECT_TRUE(file.failed());
-    EXPECT_EQ(
-        message_of([&] { file.commit(); }), "/dev/full: cannot write: No space left on device");
+    EXPECT_EQ(message_of<FileError>([&] { file.commit(); }),
+        "/dev/full: cannot write: No space left on device");
 }
 
 TEST(OutputFile, ADeviceIsWrittenDirectlyAndStaysADevice)

@@ -1,6 +1,8 @@
 // picture_files_test.cpp - what is written is read back by the formats' own libraries.
-#include "film/srgb.h"
-#include "film/temporary_folder.h"
+#include "base/srgb.h"
+
+#include "message_of.h"
+#include "temporary_folder.h"
 
 #include <firsthit/error.h>
 #include <firsthit/film.h>
@@ -17,7 +19,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -46,16 +47,6 @@ Film numbered_film(int width, int height)
     film.item[0] = kNoItem;
     film[Aov::depth].value[0] = std::numeric_limits<float>::infinity();
     return film;
-}
-
-std::string message_of(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 struct ReadPng {
@@ -237,11 +228,11 @@ TEST(Npy, HasMoreChannelsAsThreeDimensions)
 TEST(PictureFiles, AnUnknownEndingIsAnErrorThatListsTheAccepted)
 {
     const Film film = numbered_film(2, 2);
-    EXPECT_EQ(message_of([&] { write_color(film, "a.jpg"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, "a.jpg"); }),
         "a.jpg: unknown ending '.jpg' for a picture: accepted are .png and .exr");
-    EXPECT_EQ(message_of([&] { write_aov(film, Aov::depth, "a.png"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::depth, "a.png"); }),
         "a.png: unknown ending '.png' for a plane: accepted are .exr and .npy");
-    EXPECT_EQ(message_of([&] { write_color(film, "picture"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, "picture"); }),
         "picture: unknown ending '' for a picture: accepted are .png and .exr");
     EXPECT_THROW(check_color_path("a.npy"), ArgumentError);
     EXPECT_THROW(check_aov_path("a"), ArgumentError);
@@ -251,16 +242,17 @@ TEST(PictureFiles, APlaneTheFilmLacksIsAnError)
 {
     Film film;
     film.width = film.height = 2;
-    EXPECT_EQ(message_of([&] { write_color(film, "a.png"); }), "the film has no plane 'color'");
     EXPECT_EQ(
-        message_of([&] { write_aov(film, Aov::item, "a.npy"); }), "the film has no plane 'item'");
+        message_of<Error>([&] { write_color(film, "a.png"); }), "the film has no plane 'color'");
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::item, "a.npy"); }),
+        "the film has no plane 'item'");
 }
 
 TEST(PictureFiles, APlaneOfAnotherSizeIsAnError)
 {
     Film film = numbered_film(4, 3);
     film.height = 2;
-    EXPECT_EQ(message_of([&] { write_aov(film, Aov::uv, "a.npy"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::uv, "a.npy"); }),
         "the film's plane 'uv' has 24 values, not 2 x 4 x 2");
     EXPECT_THROW(write_color(film, "a.png"), ArgumentError);
 }
@@ -272,14 +264,15 @@ TEST(PictureFiles, EveryFormatReportsAFullDisk)
     for (const char* name : {"full.png", "full.exr", "full.npy"})
         std::filesystem::create_symlink("/dev/full", folder / name);
     const std::string reason = ": cannot write: No space left on device";
-    EXPECT_EQ(message_of([&] { write_color(film, folder / "full.png"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, folder / "full.png"); }),
         (folder / "full.png") + reason);
-    EXPECT_EQ(message_of([&] { write_color(film, folder / "full.exr"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, folder / "full.exr"); }),
         (folder / "full.exr") + reason);
-    EXPECT_EQ(message_of([&] { write_aov(film, Aov::position, folder / "full.npy"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::position, folder / "full.npy"); }),
         (folder / "full.npy") + reason);
-    EXPECT_EQ(message_of([&] { write_color(film, "/dev/full"); }), "/dev/full" + reason);
-    EXPECT_EQ(message_of([&] { write_aov(film, Aov::item, "/dev/full"); }), "/dev/full" + reason);
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, "/dev/full"); }), "/dev/full" + reason);
+    EXPECT_EQ(
+        message_of<Error>([&] { write_aov(film, Aov::item, "/dev/full"); }), "/dev/full" + reason);
 }
 
 TEST(PictureFiles, ADiskThatFillsUpLaterIsReportedByEveryFormat)
@@ -302,7 +295,7 @@ TEST(PictureFiles, APipeTakesWhatIsWrittenInOneGoAndExrReportsThatItCannotGoBack
     const int png = open((folder / "pipe.png").c_str(), O_RDWR);
     const int exr = open((folder / "pipe.exr").c_str(), O_RDWR);
     write_color(film, folder / "pipe.png");
-    EXPECT_EQ(message_of([&] { write_color(film, folder / "pipe.exr"); }),
+    EXPECT_EQ(message_of<Error>([&] { write_color(film, folder / "pipe.exr"); }),
         (folder / "pipe.exr") + ": cannot write: Illegal seek");
     close(png);
     close(exr);

@@ -1,12 +1,10 @@
 // compare_test.cpp - whole scenes against both oracles.
 #include "scenes.h"
+#include "test_data.h"
 
 #include <firsthit/firsthit.h>
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
 
 namespace firsthit::test {
 namespace {
@@ -54,11 +52,9 @@ TEST(Compare, WaveEqualsBruteForceAndEmbree)
 
 TEST(Compare, BartRobotsEqualEmbree)
 {
-    const char* data = std::getenv("FIRSTHIT_TEST_DATA");
-    const auto path = std::filesystem::path(data ? data : "") / "bart/scene_robot/aff/Robot.aff";
-    if (!std::filesystem::exists(path))
-        GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no " << path.filename();
-    const Scene scene = load_scene(path.string());
+    const auto path = test_data("bart/scene_robot/aff/Robot.aff");
+    if (!path) GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no bart/scene_robot/aff/Robot.aff";
+    const Scene scene = load_scene(path->string());
     for (const double time_s : {5.0, 10.0, 20.0, 30.0, 45.0})
         expect_right(scene, time_s, Oracle::embree, 192);
     expect_right(scene, 10, Oracle::brute, 128);

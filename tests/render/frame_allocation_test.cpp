@@ -1,56 +1,16 @@
 // frame_allocation_test.cpp - frames of one size share their memory.
+#include "allocations.h"
+
 #include <firsthit/firsthit.h>
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t bytes, std::size_t alignment)
-{
-    ++allocations;
-    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-} // namespace
-
-void* operator new(std::size_t bytes)
-{
-    return counted(bytes, 16);
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment)
-{
-    return counted(bytes, std::size_t(alignment));
-}
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace firsthit {
 namespace {
 
 /// Allocations of frames 3 to 12, each at another time.
-long allocations_after_two_frames(const std::string& name, int threads, const Settings& settings)
+std::size_t allocations_after_two_frames(
+    const std::string& name, int threads, const Settings& settings)
 {
     const Scene scene = load_scene(name);
     World world;
@@ -65,9 +25,9 @@ long allocations_after_two_frames(const std::string& name, int threads, const Se
     };
     frame(0);
     frame(1);
-    const long before = allocations;
+    const std::size_t before = allocations();
     for (int number = 2; number < 12; ++number) frame(number);
-    return allocations - before;
+    return allocations() - before;
 }
 
 TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
@@ -75,8 +35,8 @@ TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
     Settings settings;
     settings.aovs = {Aov::item, Aov::depth, Aov::normal};
     for (const int threads : {1, 2}) {
-        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0);
-        EXPECT_EQ(allocations_after_two_frames("builtin:wave?n=20000", threads, settings), 0);
+        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0u);
+        EXPECT_EQ(allocations_after_two_frames("builtin:wave?n=20000", threads, settings), 0u);
     }
 }
 
@@ -85,7 +45,7 @@ TEST(FrameAllocation, IsNoneWithSupersampling)
     Settings settings;
     settings.samples = 3;
     settings.aovs = {Aov::item};
-    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0);
+    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
 }
 
 } // namespace

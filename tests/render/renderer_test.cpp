@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace firsthit::test {
 namespace {
@@ -198,11 +199,15 @@ TEST(Renderer, RefusesWhatCannotBeRendered)
     expect_refused("region", [](View& v, Settings&) { v.region = {4, 0, 8, 8}; });
     expect_refused("region", [](View& v, Settings&) { v.region = {-1, 0, 2, 2}; });
     expect_refused("region", [](View& v, Settings&) { v.region = {0, 0, 2147483647, 2147483647}; });
+    const int least = std::numeric_limits<int>::min();
+    expect_refused("region", [&](View& v, Settings&) { v.region = {least, least, 0, 0}; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 0; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 17; });
     expect_refused("tile", [](View&, Settings& s) { s.tile_size = 12; });
     expect_refused("field of view", [](View& v, Settings&) { v.camera.fov_y_rad = 0; });
     expect_refused("field of view", [](View& v, Settings&) { v.camera.fov_y_rad = NAN; });
+    expect_refused("too small", [](View& v, Settings&) { v.camera.fov_y_rad = 1e-300; });
+    expect_refused("too small", [](View& v, Settings&) { v.camera.fov_y_rad = 5e-324; });
     expect_refused("camera", [](View& v, Settings&) { v.camera.direction = {0, 0, 0}; });
     expect_refused("camera", [](View& v, Settings&) { v.camera.up = v.camera.direction; });
     expect_refused("camera", [](View& v, Settings&) { v.camera.eye.x = INFINITY; });

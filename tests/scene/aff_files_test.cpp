@@ -1,7 +1,7 @@
 // aff_files_test.cpp - AFF scenes and their textures on the disk.
+#include "message_of.h"
 #include "scene/aff_text.h"
-#include "scene/file_text.h"
-#include "scene/test_folder.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,17 +13,12 @@ const std::string kPicture = std::string("P6 1 1 255\n") + "\x10\x20\x30";
 
 void expect_file_error(const std::filesystem::path& path, const std::string& end)
 {
-    try {
-        read_aff(path, {});
-        ADD_FAILURE() << "no error";
-    } catch (const FileError& error) {
-        EXPECT_EQ(error.what(), path.string() + end);
-    }
+    EXPECT_EQ(message_of<FileError>([&] { read_aff(path, {}); }), path.string() + end);
 }
 
 TEST(AffFiles, AreIncludedRelativeToTheMainFile)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const auto main = folder.write("scene/main.aff", "i 0 parts/a.aff");
     folder.write("scene/parts/a.aff", "i 0 parts/b.aff");
     folder.write("scene/parts/b.aff", kTriangle);
@@ -34,7 +29,7 @@ TEST(AffFiles, AreIncludedRelativeToTheMainFile)
 
 TEST(AffFiles, FindTexturesBesideTheSceneOrInTheFolderOfTextures)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const auto main = folder.write("aff/main.aff", kTextured + "tt b.ppm" + kTextured.substr(8));
     folder.write("aff/a.ppm", kPicture);
     folder.write("TextureFiles/b.ppm", kPicture);
@@ -47,7 +42,7 @@ TEST(AffFiles, FindTexturesBesideTheSceneOrInTheFolderOfTextures)
 
 TEST(AffFiles, WarnOfMissingAndDamagedTextures)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const auto main = folder.write("main.aff", kTextured + "tt bad.ppm" + kTextured.substr(8));
     folder.write("bad.ppm", "P6 100 100 255\nshort");
     const Scene scene = read_aff(main, {});
@@ -60,7 +55,7 @@ TEST(AffFiles, WarnOfMissingAndDamagedTextures)
 
 TEST(AffFiles, ThatAreMissingAreNamed)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     expect_file_error(folder.path() / "gone.aff", ": no such file");
     const auto main = folder.write("main.aff", "\n i 0 gone.aff");
     expect_file_error(main, ":2: cannot include 'gone.aff': " +
@@ -69,7 +64,7 @@ TEST(AffFiles, ThatAreMissingAreNamed)
 
 TEST(AffFiles, MustBeRegular)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     expect_file_error(folder.path(), ": not a regular file");
     const auto main = folder.write("main.aff", "i 0 /dev/zero");
     expect_file_error(main, ":1: cannot include '/dev/zero': /dev/zero: not a regular file");
@@ -77,7 +72,7 @@ TEST(AffFiles, MustBeRegular)
 
 TEST(AffFiles, MayBeIncludedThroughALinkToThemselvesWithoutAnEnd)
 {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const auto main = folder.write("main.aff", "i 0 sub/main.aff");
     std::filesystem::create_directory_symlink(".", folder.path() / "sub");
     // The names differ, so no circle is seen before the second round.

@@ -1,6 +1,8 @@
 // check_scene_test.cpp - a scene that breaks a promise is refused, and the element is named.
 #include "scene/check_scene.h"
 
+#include "message_of.h"
+
 #include <firsthit/error.h>
 
 #include <gtest/gtest.h>
@@ -24,12 +26,7 @@ std::string message_after(const Damage& damage)
 {
     Scene scene = square();
     damage(scene);
-    try {
-        check_scene(scene);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "no error";
+    return message_of<SceneError>([&] { check_scene(scene); });
 }
 
 TEST(CheckScene, AcceptsASoundScene)
@@ -54,12 +51,8 @@ TEST(CheckScene, FindsTheLastCoordinateOfMany)
     std::vector<glm::vec3> position(100'003, glm::vec3(1));
     Scene scene = scene_from_arrays(position, {{0, 1, 2}}, position);
     scene.position.back().z = std::nanf("");
-    try {
-        check_scene(scene);
-        FAIL();
-    } catch (const SceneError& error) {
-        EXPECT_STREQ(error.what(), "arrays: vertex 100002: z is nan, not a finite number");
-    }
+    EXPECT_EQ(message_of<SceneError>([&] { check_scene(scene); }),
+        "arrays: vertex 100002: z is nan, not a finite number");
 }
 
 TEST(CheckScene, NamesATriangleWhoseVertexIsOutOfRange)

@@ -1,7 +1,9 @@
 // load_scene_test.cpp - names become scenes: files by their ending, built-ins, and arrays.
-#include "scene/mesh_text.h"
-
 #include "scene/check_scene.h"
+
+#include "message_of.h"
+#include "scene/mesh_text.h"
+#include "temporary_folder.h"
 
 #include <glm/geometric.hpp>
 
@@ -11,13 +13,7 @@ namespace {
 template <class Kind>
 std::string load_error(const std::string& name)
 {
-    try {
-        load_scene(name);
-    } catch (const Kind& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << name << ": no error of that kind";
-    return {};
+    return message_of<Kind>([&] { load_scene(name); });
 }
 
 TEST(LoadScene, KnowsAFileByItsEndingInAnyCase)

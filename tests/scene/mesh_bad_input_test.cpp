@@ -1,7 +1,9 @@
 // mesh_bad_input_test.cpp - every damaged mesh file gives an error that says where.
-#include "scene/mesh_text.h"
+#include "scene/whole_file.h"
 
-#include "scene/mesh/file_bytes.h"
+#include "message_of.h"
+#include "scene/mesh_text.h"
+#include "temporary_folder.h"
 
 #include <random>
 
@@ -12,21 +14,17 @@ const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 TEST(MeshBadInput, NamesAMissingFile)
 {
-    try {
-        read_mesh_file("no/such/mesh.ply", {});
-        FAIL();
-    } catch (const FileError& error) {
-        EXPECT_STREQ(error.what(), "no/such/mesh.ply: no such file");
-    }
+    EXPECT_EQ(message_of<FileError>([] { read_mesh_file("no/such/mesh.ply", {}); }),
+        "no/such/mesh.ply: no such file");
 }
 
 TEST(MeshBadInput, RefusesAFolderAndADevice)
 {
     const TemporaryFolder folder;
-    EXPECT_THROW(read_bytes(folder.path()), FileError);
-    EXPECT_THROW(read_bytes("/dev/zero"), FileError);
-    EXPECT_THROW(read_bytes(folder.write("a", "12345"), 4), FileError);
-    EXPECT_EQ(read_bytes(folder.write("a", "12345"), 5), "12345");
+    EXPECT_THROW(read_whole_file(folder.path()), FileError);
+    EXPECT_THROW(read_whole_file("/dev/zero"), FileError);
+    EXPECT_THROW(read_whole_file(folder.write("a", "12345"), 4), FileError);
+    EXPECT_EQ(read_whole_file(folder.write("a", "12345"), 5), "12345");
 }
 
 TEST(MeshBadInput, RefusesEmptyFiles)

@@ -1,9 +1,8 @@
 // mesh_file_test.cpp - PLY, STL and OBJ files become the scenes they describe.
-#include "scene/mesh_text.h"
-
 #include "scene/check_scene.h"
 
-#include <cstdlib>
+#include "scene/mesh_text.h"
+#include "test_data.h"
 
 namespace firsthit::test {
 namespace {
@@ -255,11 +254,9 @@ TEST(MeshFile, ReadsTheDragonWithItsCounts)
 
 TEST(MeshFile, ReadsTheGallopingHorseWithItsCounts)
 {
-    const char* const folder = std::getenv("FIRSTHIT_TEST_DATA");
-    if (folder == nullptr) GTEST_SKIP() << "FIRSTHIT_TEST_DATA names no folder";
-    const std::filesystem::path path = std::filesystem::path(folder) / "horse-gallop/0001.obj";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing";
-    EXPECT_EQ(read_mesh_file(path, {}).triangle_count(), 16843u);
+    const auto path = test_data("horse-gallop/0001.obj");
+    if (!path) GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no horse-gallop/0001.obj";
+    EXPECT_EQ(read_mesh_file(*path, {}).triangle_count(), 16843u);
 }
 
 } // namespace

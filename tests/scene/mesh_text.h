@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace firsthit::test {
@@ -77,29 +75,5 @@ inline std::string ply_header(const std::string& format, const std::string& vert
            "\nproperty float x\nproperty float y\nproperty float z\n" + more + "element face " +
            faces + "\nproperty list uchar int vertex_indices\nend_header\n";
 }
-
-/// A folder that goes away with its files.
-class TemporaryFolder {
-  public:
-    TemporaryFolder()
-    {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = std::filesystem::path(testing::TempDir()) / ("firsthit_" + test);
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& bytes) const
-    {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 } // namespace firsthit::test

@@ -1,7 +1,9 @@
 // mtl_test.cpp - materials of OBJ files, and what happens without their libraries and textures.
-#include "scene/mesh_text.h"
-
 #include "scene/mesh/mtl.h"
+
+#include "message_of.h"
+#include "scene/mesh_text.h"
+#include "temporary_folder.h"
 
 namespace firsthit::test {
 namespace {
@@ -38,13 +40,8 @@ TEST(Mtl, TakesTheDiffuseColourForAnAmbientOneThatIsMissing)
 
 TEST(Mtl, NamesTheLineOfAnError)
 {
-    const auto message = [](const char* text) -> std::string {
-        try {
-            read_mtl(text, "m.mtl");
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "no error";
+    const auto message = [](const char* text) {
+        return message_of<Error>([&] { read_mtl(text, "m.mtl"); });
     };
     expect_in(message("Kd 1 1 1\n"), "m.mtl:1: Kd stands before any newmtl");
     expect_in(message("newmtl a\nKd 1 x 1\n"), "m.mtl:2: green is 'x'");

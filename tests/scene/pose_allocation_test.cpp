@@ -1,34 +1,10 @@
 // pose_allocation_test.cpp - posing allocates nothing once sizes have settled.
-#include "scene/aff_text.h"
 #include "scene/pose.h"
 
+#include "allocations.h"
+#include "scene/aff_text.h"
+
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0;
-
-} // namespace
-
-// Not inlined, as the compiler would see malloc where it expects new.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace firsthit {
 namespace {
@@ -49,9 +25,9 @@ TEST(PoseAllocation, HappensOnlyInTheFirstPose)
         World world;
         pose(scene, 0, world, tasks);
         pose(scene, 1, world, tasks);
-        const std::size_t before = allocations;
+        const std::size_t before = allocations();
         for (int frame = 0; frame < 10; ++frame) pose(scene, 0.1 * frame, world, tasks);
-        EXPECT_EQ(allocations, before) << threads << " threads";
+        EXPECT_EQ(allocations(), before) << threads << " threads";
     }
 }
 

@@ -1,10 +1,11 @@
 // pose_kernel_test.cpp - the vertex mover, the same for every instruction set.
 #include "scene/pose_kernel.h"
 
+#include "instruction_sets.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <cstring>
@@ -51,24 +52,10 @@ bool same_bits(const Points& a, const Points& b)
     return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
 }
 
-/// Runs a check with each instruction set that this machine has.
-template <class Check>
-void on_every_target(const Check& check)
-{
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        SCOPED_TRACE(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        check();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 TEST(PoseKernel, AgreesBitForBitWithPlainCodeForEveryCount)
 {
     const VertexMatrix matrix = vertex_matrix(some_matrix());
-    on_every_target([&] {
+    for_instruction_sets([&] {
         for (std::size_t count = 0; count <= 40; ++count) {
             const Points p = random_points(count, 1), n = random_points(count, 2);
             Points plain_p = p, plain_n = n, moved_p(count), moved_n(count);
@@ -84,7 +71,7 @@ TEST(PoseKernel, AgreesBitForBitWithPlainCodeForEveryCount)
 TEST(PoseKernel, WorksInPlaceAndWritesNothingElse)
 {
     const VertexMatrix matrix = vertex_matrix(some_matrix());
-    on_every_target([&] {
+    for_instruction_sets([&] {
         const Points before = random_points(30, 3);
         Points p = before, n = before, expected(30), unused(30);
         move_vertices(matrix, 21, p.data(), n.data(), expected.data(), unused.data());
@@ -96,7 +83,7 @@ TEST(PoseKernel, WorksInPlaceAndWritesNothingElse)
 TEST(PoseKernel, TellsOfPositionsThatAreNotFiniteWhereverTheyAre)
 {
     const VertexMatrix matrix = vertex_matrix(glm::scale(glm::dmat4(1), glm::dvec3(2)));
-    on_every_target([&] {
+    for_instruction_sets([&] {
         for (std::size_t k = 0; k < 35; ++k)
             for (const float bad : {std::numeric_limits<float>::infinity(), std::nanf(""), 3e38f}) {
                 Points p = random_points(35, 4), n = p;
@@ -110,7 +97,7 @@ TEST(PoseKernel, TellsOfPositionsThatAreNotFiniteWhereverTheyAre)
 TEST(PoseKernel, GivesZToNormalsWithoutDirection)
 {
     const VertexMatrix matrix = vertex_matrix(glm::dmat4(1));
-    on_every_target([&] {
+    for_instruction_sets([&] {
         Points p(3), n = {{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 3e38f, 0}};
         move_vertices(matrix, 3, p.data(), n.data(), p.data(), n.data());
         for (const glm::vec3& normal : n) EXPECT_EQ(normal, glm::vec3(0, 0, 1));

@@ -1,5 +1,7 @@
 // pose_test.cpp - scenes at times.
 #include "scene/pose.h"
+
+#include "message_of.h"
 #include "scene/aff_text.h"
 
 #include <glm/geometric.hpp>
@@ -215,23 +217,12 @@ TEST(Pose, ReusesAWorldForAnotherScene)
     EXPECT_TRUE(world.lights.empty());
 }
 
-template <class Kind>
-std::string message_of(const Scene& scene, double time_s)
-{
-    try {
-        posed(scene, time_s);
-    } catch (const Kind& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(Pose, NamesThePartWithACoordinateThatIsNotFinite)
 {
     const Scene scene =
         scene_of(kTriangle + "xs 1e30 1e30 1e30 0 0 0 0 0 0 0{xs 1e30 1 1 0 0 0 0 0 0 0{\n" +
                  kTriangle + "}}");
-    EXPECT_EQ(message_of<SceneError>(scene, 0),
+    EXPECT_EQ(message_of<SceneError>([&] { posed(scene, 0); }),
         "main.aff: part 1 'main.aff:3' has a coordinate that is not finite at 0.000000 s");
     Scene wave = deforming(10);
     wave.parts[0].deform = [](double, std::size_t first, std::size_t last, glm::vec3* p,
@@ -239,7 +230,7 @@ TEST(Pose, NamesThePartWithACoordinateThatIsNotFinite)
         std::fill_n(p, last - first, glm::vec3(std::nanf("")));
         std::fill_n(n, last - first, glm::vec3(0, 0, 1));
     };
-    EXPECT_EQ(message_of<SceneError>(wave, 0),
+    EXPECT_EQ(message_of<SceneError>([&] { posed(wave, 0); }),
         ": part 0 has a coordinate that is not finite at 0.000000 s");
 }
 
@@ -247,8 +238,8 @@ TEST(Pose, RefusesTimesThatAreNotFinite)
 {
     const Scene scene = scene_of(kTriangle);
     for (const double t : {std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_EQ(
-            message_of<ArgumentError>(scene, t), "the time of a pose must be a finite number");
+        EXPECT_EQ(message_of<ArgumentError>([&] { posed(scene, t); }),
+            "the time of a pose must be a finite number");
 }
 
 TEST(Pose, RefusesScenesThatContradictThemselves)
@@ -258,7 +249,7 @@ TEST(Pose, RefusesScenesThatContradictThemselves)
     const auto expect = [&](auto change, const std::string& message) {
         Scene bad = good;
         change(bad);
-        EXPECT_EQ(message_of<SceneError>(bad, 0), "main.aff: " + message);
+        EXPECT_EQ(message_of<SceneError>([&] { posed(bad, 0); }), "main.aff: " + message);
     };
     expect([](Scene& s) { s.nodes[1].parent = 1; }, "node 1 comes before its parent 1");
     expect([](Scene& s) { s.nodes[1].track = 1; }, "track 1 is out of range (1 exist)");

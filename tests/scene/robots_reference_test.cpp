@@ -1,7 +1,9 @@
 // robots_reference_test.cpp - BART's robots against values of an independent implementation.
 #include "scene/aff/aff.h"
-#include "scene/file_text.h"
 #include "scene/track.h"
+#include "scene/whole_file.h"
+
+#include "test_data.h"
 
 #include <firsthit/scene.h>
 
@@ -9,8 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,12 +29,10 @@ class Robots : public testing::Test {
   protected:
     static void SetUpTestSuite()
     {
-        const char* folder = std::getenv("FIRSTHIT_TEST_DATA");
-        if (!folder) return;
-        const auto path = std::filesystem::path(folder) / "bart/scene_robot/aff/Robot.aff";
-        if (!std::filesystem::exists(path)) return;
-        const std::string text = read_file_text(path);
-        scene_ = new Scene(parse_aff(path.string(), text, aff_files_beside(path), {}, &meshes_));
+        const auto path = test_data("bart/scene_robot/aff/Robot.aff");
+        if (!path) return;
+        scene_ = new Scene(parse_aff(
+            path->string(), read_whole_file(*path), aff_files_beside(*path), {}, &meshes_));
     }
     static void TearDownTestSuite()
     {

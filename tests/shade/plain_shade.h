@@ -1,11 +1,11 @@
 // plain_shade.h - shading one sample after the other, from the same text: what kernels must equal.
 #pragma once
 
+#include "base/srgb.h"
 #include "hits/hit_position.h"
 #include "shade/phong_exponent.h"
 #include "shade/run_setup.h"
 #include "shade/shade_tile.h"
-#include "shade/srgb_table.h"
 
 namespace firsthit {
 namespace scalar {
@@ -21,7 +21,7 @@ inline real2 from_glm(const glm::vec2& v)
 
 inline real3 texel_color(std::uint32_t rgba)
 {
-    const float* linear = linear_of_srgb();
+    const float* linear = linear_from_srgb().data();
     return {linear[rgba & 255], linear[rgba >> 8 & 255], linear[rgba >> 16 & 255]};
 }
 

@@ -1,31 +1,8 @@
 // shade_memory_test.cpp - shading allocates nothing.
+#include "allocations.h"
 #include "shade/tile_scene.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-std::atomic<int> allocations{0};
-} // namespace
-
-// Not inlined: g++ would see malloc and free inside, miss their partners, and warn.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace firsthit {
 namespace {
@@ -41,10 +18,10 @@ TEST(ShadeMemory, IsNotAllocated)
     tile.add_light({1, 2, 3});
     tile.cast();
     ShadeMemory memory;
-    const int before = allocations;
+    const std::size_t before = allocations();
     shade_tile(tile.hits, tile.world, memory.targets);
-    EXPECT_EQ(allocations, before);
-    EXPECT_GT(allocations, 0) << "nothing was counted";
+    EXPECT_EQ(allocations(), before);
+    EXPECT_GT(allocations(), 0u) << "nothing was counted";
 }
 
 } // namespace

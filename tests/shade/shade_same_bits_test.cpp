@@ -1,5 +1,6 @@
 // shade_same_bits_test.cpp - every instruction set gives the bits of the plain loop.
-#include "base/simd_targets.h"
+#include "instruction_sets.h"
+#include "shade/noise_texture.h"
 #include "shade/plain_shade.h"
 #include "shade/tile_scene.h"
 
@@ -11,23 +12,13 @@
 namespace firsthit {
 namespace {
 
-/// Shades on one instruction set, as a machine without the better ones would.
-void shade_on(std::int64_t target, const TileScene& tile, const ShadeTargets& targets)
-{
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    shade_tile(tile.hits, tile.world, targets);
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
-}
-
 void expect_same_bits(const TileScene& tile, const char* what)
 {
     ShadeMemory plain;
     plain_shade(tile.hits, tile.world, plain.targets);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    for_instruction_sets([&] {
         ShadeMemory memory;
-        shade_on(target, tile, memory.targets);
+        shade_tile(tile.hits, tile.world, memory.targets);
         int different = 0;
         for (int plane = 0; plane < ShadeMemory::kPlanes; ++plane)
             for (int k = 0; k < tile.hits.size * tile.hits.size; ++k) {
@@ -36,22 +27,10 @@ void expect_same_bits(const TileScene& tile, const char* what)
                 if (std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b)) continue;
                 if (++different < 5)
                     ADD_FAILURE() << what << ": plane " << plane << ", sample " << k << ": plain "
-                                  << a << ", " << hwy::TargetName(target) << " " << b;
+                                  << a << ", kernel " << b;
             }
-        EXPECT_EQ(different, 0) << hwy::TargetName(target);
-    }
-}
-
-Texture noise(int width, int height, std::mt19937& random)
-{
-    Texture texture;
-    for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
-        Texture::Level level{width, height, {}};
-        for (int k = 0; k < width * height; ++k)
-            level.texel.push_back(static_cast<std::uint32_t>(random()));
-        texture.levels.push_back(level);
-        if (width == 1 && height == 1) return texture;
-    }
+        EXPECT_EQ(different, 0);
+    });
 }
 
 glm::vec3 random_point(std::mt19937& random, float size)
@@ -64,8 +43,8 @@ glm::vec3 random_point(std::mt19937& random, float size)
 /// Random triangles with random normals, texture coordinates and materials.
 void fill_with_soup(TileScene& tile, std::mt19937& random)
 {
-    tile.scene.textures.push_back(noise(37, 64, random));
-    tile.scene.textures.push_back(noise(1, 1, random));
+    tile.scene.textures.push_back(noise_texture(37, 64));
+    tile.scene.textures.push_back(noise_texture(1, 1));
     const float shininess[] = {0, 1, 5, 10.5f, 64, 300, 0.25f};
     for (int k = 0; k < 60; ++k) {
         if (k % 4 == 0) {
@@ -107,7 +86,7 @@ TEST(ShadeSameBits, OfTexturesAtTheEdgesOfFloat)
     for (const float repeats : {0.0f, 1e-30f, 1.0f, -1e7f, 1e9f, -1e20f, 1e30f, 1e38f}) {
         SCOPED_TRACE(repeats);
         TileScene tile(16);
-        tile.scene.textures.push_back(noise(64, 16, random));
+        tile.scene.textures.push_back(noise_texture(64, 16));
         tile.material().texture = 0;
         tile.add_square({-20, -5, -1}, {40, 0, 0}, {0, 6, -50}, repeats);
         tile.cast();

@@ -1,4 +1,5 @@
 // texture_test.cpp - texture lookups against a plain one in double precision.
+#include "shade/noise_texture.h"
 #include "shade/tile_scene.h"
 
 #include <gtest/gtest.h>
@@ -42,20 +43,6 @@ glm::dvec3 trilinear(const Texture& texture, double u, double v, double level)
     const double amount = clamped - double(finer);
     return bilinear(texture.levels[finer], u, v) * (1 - amount) +
            bilinear(texture.levels[std::min(finer + 1, last)], u, v) * amount;
-}
-
-/// Every level has noise of its own, so that a wrong level shows.
-Texture noise(int width, int height, unsigned seed = 1)
-{
-    std::mt19937 random(seed);
-    Texture texture;
-    for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
-        Texture::Level level{width, height, {}};
-        for (int k = 0; k < width * height; ++k)
-            level.texel.push_back(static_cast<std::uint32_t>(random()));
-        texture.levels.push_back(level);
-        if (width == 1 && height == 1) return texture;
-    }
 }
 
 /// Texture coordinates at a picture position, whole or not, on the plane of a triangle.
@@ -107,39 +94,39 @@ glm::dvec2 expect_reference(TileScene& tile, double tolerance)
     return range;
 }
 
-TEST(Texture, IsBilinearWhereEnlarged)
+TEST(TextureSampling, IsBilinearWhereEnlarged)
 {
     TileScene tile(32);
-    tile.scene.textures.push_back(noise(5, 3));
+    tile.scene.textures.push_back(noise_texture(5, 3));
     tile.add_wall(10, 12);
     EXPECT_LT(expect_reference(tile, 1e-5).y, 0);
 }
 
-TEST(Texture, BlendsTwoLevelsWhereReduced)
+TEST(TextureSampling, BlendsTwoLevelsWhereReduced)
 {
     TileScene tile(32);
-    tile.scene.textures.push_back(noise(256, 128));
+    tile.scene.textures.push_back(noise_texture(256, 128));
     tile.add_square({-12, -30, -10}, {24, 0, 6}, {3, 60, -40}, 3);
     const glm::dvec2 range = expect_reference(tile, 2e-4);
     EXPECT_GT(range.x, 0);
     EXPECT_GT(range.y - range.x, 1);
 }
 
-TEST(Texture, TakesTheLevelOfAGrazingGroundFromItsSlope)
+TEST(TextureSampling, TakesTheLevelOfAGrazingGroundFromItsSlope)
 {
     // A ground that runs to the horizon: levels from enlarged to the last one.
     TileScene tile(64, 60);
-    tile.scene.textures.push_back(noise(256, 256));
+    tile.scene.textures.push_back(noise_texture(256, 256));
     tile.add_square({-5000, -1, 0.5f}, {10000, 0, 0}, {0, 0, -10000}, 5000);
     const glm::dvec2 range = expect_reference(tile, 1e-2);
     EXPECT_LT(range.x, 4);
     EXPECT_GT(range.y, 8);
 }
 
-TEST(Texture, IsTheLastLevelWhereReducedFurther)
+TEST(TextureSampling, IsTheLastLevelWhereReducedFurther)
 {
     TileScene tile(8);
-    tile.scene.textures.push_back(noise(4, 4));
+    tile.scene.textures.push_back(noise_texture(4, 4));
     tile.add_wall(10, 100, 1e6f);
     tile.material().texture = 0;
     tile.material().diffuse = glm::vec3(1);
@@ -150,13 +137,13 @@ TEST(Texture, IsTheLastLevelWhereReducedFurther)
     for (int k = 0; k < 64; ++k) EXPECT_NEAR(memory.targets.albedo[0][k], last.x, 1e-6);
 }
 
-TEST(Texture, RepeatsOutsideZeroToOne)
+TEST(TextureSampling, RepeatsOutsideZeroToOne)
 {
     glm::vec3 seen[3];
     const float shift[] = {0, -3, 7};
     for (int i = 0; i < 3; ++i) {
         TileScene tile(8);
-        tile.scene.textures.push_back(noise(4, 8));
+        tile.scene.textures.push_back(noise_texture(4, 8));
         tile.add_wall(10, 8);
         for (glm::vec2& uv : tile.scene.uv) uv += glm::vec2(shift[i], -shift[i]);
         expect_reference(tile, 1e-5);
@@ -170,7 +157,7 @@ TEST(Texture, RepeatsOutsideZeroToOne)
     }
 }
 
-TEST(Texture, HasItsBottomRowAtVZero)
+TEST(TextureSampling, HasItsBottomRowAtVZero)
 {
     // Two rows, red above green, upright on a wall: v grows upwards, as in OBJ.
     TileScene tile(16, 16);
@@ -187,7 +174,7 @@ TEST(Texture, HasItsBottomRowAtVZero)
     EXPECT_GT(at(memory.targets.albedo, 8, 11, 16).y, 0.8f) << "green below";
 }
 
-TEST(Texture, MultipliesAmbientAndDiffuseButNotSpecular)
+TEST(TextureSampling, MultipliesAmbientAndDiffuseButNotSpecular)
 {
     TileScene tile(8);
     tile.hits.frame.x0 = tile.hits.frame.y0 = 0;
@@ -207,7 +194,7 @@ TEST(Texture, MultipliesAmbientAndDiffuseButNotSpecular)
     EXPECT_EQ(at(memory.targets.albedo, 0, 0, 8), glm::vec3(0.25f, 0, 0.25f));
 }
 
-TEST(Texture, ThatIsEmptyMissingOrShortIsWhite)
+TEST(TextureSampling, ThatIsEmptyMissingOrShortIsWhite)
 {
     for (int fault = 0; fault < 5; ++fault) {
         SCOPED_TRACE(fault);
@@ -226,10 +213,10 @@ TEST(Texture, ThatIsEmptyMissingOrShortIsWhite)
     }
 }
 
-TEST(Texture, IsIgnoredWhereTheSceneHasNoCoordinates)
+TEST(TextureSampling, IsIgnoredWhereTheSceneHasNoCoordinates)
 {
     TileScene tile(8);
-    tile.scene.textures.push_back(noise(4, 4));
+    tile.scene.textures.push_back(noise_texture(4, 4));
     tile.material().texture = 0;
     tile.add_wall();
     tile.scene.uv.clear();
@@ -240,12 +227,12 @@ TEST(Texture, IsIgnoredWhereTheSceneHasNoCoordinates)
     EXPECT_EQ(memory.targets.uv[0][0], 0);
 }
 
-TEST(Texture, CoordinatesThatAreHugeOrNoNumberDoNotCrash)
+TEST(TextureSampling, CoordinatesThatAreHugeOrNoNumberDoNotCrash)
 {
     const float inf = std::numeric_limits<float>::infinity();
     for (const float bad : {inf, -inf, std::numeric_limits<float>::quiet_NaN(), 3e38f, -3e38f}) {
         TileScene tile(16);
-        tile.scene.textures.push_back(noise(16, 16));
+        tile.scene.textures.push_back(noise_texture(16, 16));
         tile.material().texture = 0;
         tile.material().diffuse = glm::vec3(1);
         tile.add_wall();

@@ -1,8 +1,8 @@
 // aff.cpp - reads AFF scenes from the disk.
 #include "scene/aff/aff.h"
 
-#include "scene/file_text.h"
 #include "scene/image_file.h"
+#include "scene/whole_file.h"
 
 #include <firsthit/error.h>
 
@@ -15,7 +15,7 @@ AffFiles aff_files_beside(const std::filesystem::path& path)
     const std::filesystem::path folder = path.parent_path();
     AffFiles files;
     files.include_text = [folder](
-                             const std::string& name) { return read_file_text(folder / name); };
+                             const std::string& name) { return read_whole_file(folder / name); };
     files.texture = [folder](const std::string& name) {
         // BART keeps a scene's pictures in a folder beside that of its AFF files.
         const std::filesystem::path beside = folder / ".." / "TextureFiles" / name;
@@ -30,7 +30,7 @@ AffFiles aff_files_beside(const std::filesystem::path& path)
 
 Scene read_aff(const std::filesystem::path& path, const LoadSettings& settings)
 {
-    const std::string text = read_file_text(path);
+    const std::string text = read_whole_file(path);
     return parse_aff(path.string(), text, aff_files_beside(path), settings);
 }
 

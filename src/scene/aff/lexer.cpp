@@ -1,9 +1,10 @@
 // lexer.cpp - cuts the text of one AFF file into tokens.
 #include "scene/aff/lexer.h"
 
+#include "scene/parse_number.h"
+
 #include <firsthit/error.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,31 +24,6 @@ bool is_comment(char c)
 bool is_brace(char c)
 {
     return c == '{' || c == '}';
-}
-
-/// from_chars knows no leading plus.
-std::string_view without_plus(std::string_view token)
-{
-    const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+';
-    return plus ? token.substr(1) : token;
-}
-
-/// Nothing where the token is no number; an infinity where it is too large for a double.
-std::optional<double> parse_number(std::string_view token)
-{
-    token = without_plus(token);
-    double value = 0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error == std::errc::invalid_argument || end != token.data() + token.size()) return {};
-    if (error == std::errc::result_out_of_range) {
-        // Too small counts as zero. The exponent's sign tells which it is, as a number without one
-        // (a long row of digits) is only out of range when too large or when it starts with 0.
-        const std::size_t e = token.find_first_of("eE");
-        const bool tiny = e != std::string_view::npos ? token[e + 1] == '-'
-                                                      : token.find_first_not_of("-0.") > 300;
-        return tiny ? 0.0 : std::numeric_limits<double>::infinity();
-    }
-    return value;
 }
 
 } // namespace
@@ -149,12 +125,9 @@ float Lexer::small_number(const char* what)
 std::int64_t Lexer::integer(const char* what)
 {
     const std::string_view token = word(what);
-    const std::string_view digits = without_plus(token);
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size())
-        fail_file(std::string(what) + " should be a whole number, not " + in_quotes(token));
-    return value;
+    const std::optional<std::int64_t> value = parse_integer(token);
+    if (!value) fail_file(std::string(what) + " should be a whole number, not " + in_quotes(token));
+    return *value;
 }
 
 std::uint32_t Lexer::count(const char* what)

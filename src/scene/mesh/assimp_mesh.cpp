@@ -1,6 +1,5 @@
 // assimp_mesh.cpp - reads the triangles of a checked mesh file with Assimp.
 #include "scene/mesh/assimp_mesh.h"
-#include "scene/mesh/file_bytes.h"
 
 #include <firsthit/error.h>
 

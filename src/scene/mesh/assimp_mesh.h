@@ -6,10 +6,14 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace firsthit {
+
+/// Bytes: Assimp counts them with 32 bits.
+inline constexpr std::size_t kMaxMeshFile = 0xFFFFFFFF;
 
 /// Triangles in file order, vertices as the file has them: not welded.
 struct RawMesh {

@@ -1,9 +1,10 @@
 // mesh_materials.cpp - the materials of a mesh file, from its libraries.
 #include "scene/mesh/mesh_materials.h"
+
 #include "scene/image_file.h"
-#include "scene/mesh/file_bytes.h"
 #include "scene/mesh/mtl.h"
 #include "scene/mesh/text_cursor.h"
+#include "scene/whole_file.h"
 
 #include <firsthit/error.h>
 
@@ -58,7 +59,7 @@ Library read_libraries(const CheckedMesh& checked, const std::string& name,
                     fmt::format("{}: material library '{}' is missing", name, printable(file)));
                 continue;
             }
-            for (MtlMaterial& mtl : read_mtl(read_bytes(path, kMaxLibrary), path.string())) {
+            for (MtlMaterial& mtl : read_mtl(read_whole_file(path, kMaxLibrary), path.string())) {
                 const std::string key = mtl.material.name;
                 library.try_emplace(key, FoundMaterial{std::move(mtl), path.parent_path()});
             }

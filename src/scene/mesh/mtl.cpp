@@ -1,6 +1,7 @@
 // mtl.cpp - the material libraries of OBJ files.
 #include "scene/mesh/mtl.h"
 #include "scene/mesh/text_cursor.h"
+#include "scene/parse_number.h"
 
 #include <firsthit/error.h>
 
@@ -37,8 +38,7 @@ float read_opacity(TextCursor& text)
 std::string read_map(TextCursor& text)
 {
     const auto is_value = [](std::string_view word) {
-        double number = 0;
-        return word == "on" || word == "off" || parse_number(word, number);
+        return word == "on" || word == "off" || parse_number(word);
     };
     for (;;) {
         TextCursor ahead = text;

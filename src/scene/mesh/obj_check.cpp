@@ -4,6 +4,7 @@
 // who has which material is kept here, by triangle.
 #include "scene/mesh/checked_mesh.h"
 #include "scene/mesh/text_cursor.h"
+#include "scene/parse_number.h"
 
 #include <firsthit/error.h>
 
@@ -140,10 +141,11 @@ class ObjCheck {
     /// Counts from 1, or from -1 backwards.
     std::int64_t read_index(std::string_view word, std::int64_t count, const char* what) const
     {
-        std::int64_t index = 0;
-        if (!parse_integer(word, index))
+        const std::optional<std::int64_t> found = parse_integer(word);
+        if (!found)
             text_.fail(
                 fmt::format("{} index is '{}', a whole number is needed", what, printable(word)));
+        const std::int64_t index = *found;
         if (index == 0 || index > count || index < -count)
             throw SceneError(fmt::format("{}:{}: {} index {} is out of range ({} so far)",
                 text_.name(), text_.line(), what, index, count));

@@ -1,14 +1,14 @@
 // text_cursor.cpp - walks a text line by line and word by word.
 #include "scene/mesh/text_cursor.h"
 
+#include "scene/parse_number.h"
+
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace firsthit {
@@ -27,26 +27,6 @@ std::string printable(std::string_view word)
     for (char& c : shown)
         if (c < ' ' || c > '~') c = '?';
     return word.size() > 40 ? shown + "..." : shown;
-}
-
-bool parse_integer(std::string_view word, std::int64_t& value)
-{
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, value);
-    return error == std::errc() && stop == end;
-}
-
-bool parse_number(std::string_view word, double& value)
-{
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, value);
-    if (stop != end || error == std::errc::invalid_argument) return false;
-    // from_chars leaves the value alone out of range; strtod gives 0 or infinity.
-    if (error == std::errc::result_out_of_range)
-        value = std::strtod(std::string(word).c_str(), nullptr);
-    return true;
 }
 
 TextCursor::TextCursor(std::string_view text, std::string name, bool backslash)
@@ -101,10 +81,9 @@ std::string_view TextCursor::rest_of_line()
 float TextCursor::number(std::string_view what)
 {
     if (next_word().empty()) fail(fmt::format("the line ends before {}", what));
-    double value = 0;
-    if (!parse_number(word_, value))
-        fail(fmt::format("{} is '{}', a number is needed", what, printable(word_)));
-    const float rounded = static_cast<float>(value);
+    const std::optional<double> value = parse_number(word_);
+    if (!value) fail(fmt::format("{} is '{}', a number is needed", what, printable(word_)));
+    const float rounded = static_cast<float>(*value);
     if (!std::isfinite(rounded))
         throw SceneError(fmt::format(
             "{}:{}: {} is {}, not a finite float", name_, line_, what, printable(word_)));
@@ -114,10 +93,9 @@ float TextCursor::number(std::string_view what)
 std::int64_t TextCursor::integer(std::string_view what)
 {
     if (next_word().empty()) fail(fmt::format("the line ends before {}", what));
-    std::int64_t value = 0;
-    if (!parse_integer(word_, value))
-        fail(fmt::format("{} is '{}', a whole number is needed", what, printable(word_)));
-    return value;
+    const std::optional<std::int64_t> value = parse_integer(word_);
+    if (!value) fail(fmt::format("{} is '{}', a whole number is needed", what, printable(word_)));
+    return *value;
 }
 
 void TextCursor::expect_end()

@@ -59,10 +59,4 @@ class TextCursor {
 /// A word as a message may show it: at most 40 bytes, what cannot be printed as '?'.
 std::string printable(std::string_view word);
 
-/// A word as a whole number.  returns  false where it is none or does not fit
-bool parse_integer(std::string_view word, std::int64_t& value);
-
-/// A word as a number; "+1", "1e5", "nan" and "inf" are numbers.  returns  false where it is none
-bool parse_number(std::string_view word, double& value);
-
 } // namespace firsthit

@@ -1,10 +1,13 @@
 // tile_texture.cpp - a tiled floor, made in code.
 #include "scene/robots/tile_texture.h"
 
+#include "base/srgb.h"
+#include "scene/mip_levels.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace firsthit {
@@ -66,49 +69,22 @@ glm::vec3 color_at(int x, int y)
     return stone * own * rim * (0.75f + 0.4f * clouds);
 }
 
-float srgb_from_linear(float x)
-{
-    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
-
-std::uint32_t packed(const glm::vec3& linear)
-{
-    std::uint32_t texel = 0xFF000000u;
-    for (int k = 0; k < 3; ++k) {
-        const float value = srgb_from_linear(glm::clamp(linear[k], 0.0f, 1.0f));
-        texel |= static_cast<std::uint32_t>(value * 255.0f + 0.5f) << (8 * k);
-    }
-    return texel;
-}
-
 } // namespace
 
 Texture make_tiles()
 {
-    std::vector<glm::vec3> linear;
-    linear.reserve(std::size_t(kSize) * kSize);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) linear.push_back(color_at(x, y));
-
     Texture texture;
     texture.name = "tiles";
-    for (int size = kSize; size >= 1; size /= 2) {
-        Texture::Level& level = texture.levels.emplace_back();
-        level.width = level.height = size;
-        level.texel.reserve(linear.size());
-        for (const glm::vec3& color : linear) level.texel.push_back(packed(color));
-
-        // Average fours for the next level.
-        const std::size_t half = static_cast<std::size_t>(size) / 2;
-        std::vector<glm::vec3> next(half * half);
-        for (std::size_t y = 0; y < half; ++y)
-            for (std::size_t x = 0; x < half; ++x) {
-                const std::size_t at = 2 * y * 2 * half + 2 * x;
-                next[y * half + x] = 0.25f * (linear[at] + linear[at + 1] + linear[at + 2 * half] +
-                                                 linear[at + 2 * half + 1]);
-            }
-        linear = std::move(next);
-    }
+    Texture::Level& level = texture.levels.emplace_back(Texture::Level{kSize, kSize, {}});
+    level.texel.reserve(std::size_t(kSize) * kSize);
+    const SrgbTable& table = srgb_table();
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const glm::vec3 linear = color_at(x, y);
+            level.texel.push_back(0xFF000000u | std::uint32_t(table.code(linear.b)) << 16 |
+                                  std::uint32_t(table.code(linear.g)) << 8 | table.code(linear.r));
+        }
+    make_mip_levels(texture);
     return texture;
 }
 

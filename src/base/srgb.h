@@ -1,17 +1,21 @@
-// srgb.h - from linear light to 8-bit sRGB, exactly rounded.
+// srgb.h - between 8-bit sRGB codes and linear light.
+//
+// source  IEC 61966-2-1
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace firsthit {
 
-/// The sRGB code of a linear value by the formula, in double precision: clamped to [0, 1], no
+/// Linear light, 0 to 1, of each code.
+const std::array<float, 256>& linear_from_srgb();
+
+/// The code nearest to a linear value, by the formula in double precision: clamped to [0, 1], no
 /// number gives 0. The definition that SrgbTable is held against.
-///
-/// source  IEC 61966-2-1
 std::uint8_t srgb_from_linear(float linear);
 
 /// The same codes by table, about 1 ns each.
@@ -23,8 +27,19 @@ class SrgbTable {
   public:
     SrgbTable();
 
-    /// code.size() = linear.size()
-    void convert(std::span<const float> linear, std::span<std::uint8_t> code) const;
+    std::uint8_t code(float linear) const
+    {
+        constexpr float lowest = std::bit_cast<float>(kLowest);
+        // Written so that no number becomes `lowest`, hence 0.
+        const float above = linear > lowest ? linear : lowest;
+        const float x = above < 1.0f ? above : 1.0f;
+        const std::uint8_t first =
+            first_code_[(std::bit_cast<std::uint32_t>(x) - kLowest) >> kShift];
+        return static_cast<std::uint8_t>(first + (x >= threshold_[first + 1u]));
+    }
+
+    /// codes.size() = linear.size()
+    void codes(std::span<const float> linear, std::span<std::uint8_t> codes) const;
 
   private:
     static constexpr std::uint32_t kShift = 16;            // 23 mantissa bits less 7
@@ -35,5 +50,8 @@ class SrgbTable {
     std::array<std::uint8_t, kBuckets> first_code_{}; // of the bucket's first float
     std::array<float, 257> threshold_{};              // the first float of a code
 };
+
+/// The table, made at the first call.
+const SrgbTable& srgb_table();
 
 } // namespace firsthit

@@ -18,30 +18,41 @@ class TemporaryFolder {
     TemporaryFolder()
     {
         std::string pattern = (std::filesystem::temp_directory_path() / "firsthit-XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
+        path_ = mkdtemp(pattern.data());
     }
     ~TemporaryFolder()
     {
         std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
+        std::filesystem::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-    std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
+    const std::filesystem::path& path() const { return path_; }
+
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+    /// Writes a file, and the folders above it; its path.
+    std::filesystem::path write(const std::string& name, const std::string& bytes) const
+    {
+        const std::filesystem::path path = path_ / name;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << bytes;
+        return path;
+    }
 
     /// The names in it, sorted.
     std::vector<std::string> names() const
     {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_))
+        for (const auto& entry : std::filesystem::directory_iterator(path_))
             names.push_back(entry.path().filename().string());
         std::sort(names.begin(), names.end());
         return names;
     }
 
   private:
-    std::filesystem::path folder_;
+    std::filesystem::path path_;
 };
 
 inline std::string bytes_of(const std::string& path)

@@ -1,11 +1,24 @@
-// srgb.cpp - from linear light to 8-bit sRGB, exactly rounded.
-#include "film/srgb.h"
+// srgb.cpp - between 8-bit sRGB codes and linear light.
+#include "base/srgb.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace firsthit {
+
+const std::array<float, 256>& linear_from_srgb()
+{
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> linear{};
+        for (std::size_t code = 0; code < linear.size(); ++code) {
+            const double s = static_cast<double>(code) / 255;
+            linear[code] =
+                static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+        }
+        return linear;
+    }();
+    return table;
+}
 
 std::uint8_t srgb_from_linear(float linear)
 {
@@ -36,17 +49,15 @@ SrgbTable::SrgbTable()
     }
 }
 
-void SrgbTable::convert(std::span<const float> linear, std::span<std::uint8_t> code) const
+void SrgbTable::codes(std::span<const float> linear, std::span<std::uint8_t> codes) const
 {
-    constexpr float lowest = std::bit_cast<float>(kLowest);
-    for (std::size_t k = 0; k < linear.size(); ++k) {
-        // Written so that no number becomes `lowest`, hence 0.
-        const float above = linear[k] > lowest ? linear[k] : lowest;
-        const float x = above < 1.0f ? above : 1.0f;
-        const std::uint8_t first =
-            first_code_[(std::bit_cast<std::uint32_t>(x) - kLowest) >> kShift];
-        code[k] = static_cast<std::uint8_t>(first + (x >= threshold_[first + 1u]));
-    }
+    for (std::size_t k = 0; k < linear.size(); ++k) codes[k] = code(linear[k]);
+}
+
+const SrgbTable& srgb_table()
+{
+    static const SrgbTable table;
+    return table;
 }
 
 } // namespace firsthit

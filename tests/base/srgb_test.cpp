@@ -1,10 +1,9 @@
-// srgb_test.cpp - the table against the formula.
-#include "film/srgb.h"
+// srgb_test.cpp - the tables against the formulas.
+#include "base/srgb.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace {
 std::vector<std::uint8_t> convert(const std::vector<float>& linear)
 {
     std::vector<std::uint8_t> code(linear.size());
-    SrgbTable().convert(linear, code);
+    srgb_table().codes(linear, code);
     return code;
 }
 
@@ -57,13 +56,24 @@ TEST(Srgb, WhatIsOutsideZeroToOneIsClampedAndNoNumberIsBlack)
     EXPECT_EQ(convert({-inf, -1.0f, -0.0f, 1.0f, 1.5f, inf, nan, -nan}), expected);
 }
 
+TEST(Srgb, OneValueIsConvertedLikeMany)
+{
+    for (const float linear : {-1.0f, 0.0f, 1e-4f, 0.2f, 0.999f, 1.0f, 2.0f})
+        EXPECT_EQ(srgb_table().code(linear), convert({linear})[0]) << linear;
+}
+
 TEST(Srgb, EveryCodeComesBackFromItsLinearValue)
 {
-    for (int code = 0; code < 256; ++code) {
-        const double s = code / 255.0;
-        const double linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-        EXPECT_EQ(convert({static_cast<float>(linear)})[0], code);
-    }
+    for (std::size_t code = 0; code < 256; ++code)
+        EXPECT_EQ(srgb_table().code(linear_from_srgb()[code]), code);
+}
+
+TEST(Srgb, LinearValuesAreThoseOfTheStandard)
+{
+    EXPECT_EQ(linear_from_srgb()[0], 0.0f);
+    EXPECT_EQ(linear_from_srgb()[255], 1.0f);
+    EXPECT_FLOAT_EQ(linear_from_srgb()[10], 10 / 255.0f / 12.92f) << "the straight part";
+    EXPECT_NEAR(linear_from_srgb()[188], 0.5029f, 1e-4f) << "half the light";
 }
 
 } // namespace

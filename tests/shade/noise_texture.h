@@ -1,0 +1,25 @@
+// noise_texture.h - a texture on which every wrong texel shows.
+#pragma once
+
+#include <firsthit/scene.h>
+
+#include <algorithm>
+#include <random>
+
+namespace firsthit {
+
+/// Every level has noise of its own, so that a wrong level shows.
+inline Texture noise_texture(int width, int height, unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    Texture texture;
+    for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        Texture::Level level{width, height, {}};
+        for (int k = 0; k < width * height; ++k)
+            level.texel.push_back(static_cast<std::uint32_t>(random()));
+        texture.levels.push_back(level);
+        if (width == 1 && height == 1) return texture;
+    }
+}
+
+} // namespace firsthit
