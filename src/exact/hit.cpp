@@ -164,4 +164,13 @@ double exact_inverse_depth(const Corners& c, const vec3& d)
     return std::abs(determinant(c, d).estimate() / volume(c).estimate());
 }
 
+std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
+{
+    Expansion<12> opposite1, opposite2;
+    add_volume(opposite1, c[2], c[0], d);
+    add_volume(opposite2, c[0], c[1], d);
+    const double det = determinant(c, d).estimate();
+    return {opposite1.estimate() / det, opposite2.estimate() / det};
+}
+
 } // namespace firsthit

@@ -112,4 +112,7 @@ double hit_depth(const Corners& c, const glm::vec3& d);
 /// 1 / t of a hit with a relative error below 2^-40, whatever the triangle.
 double exact_inverse_depth(const Corners& c, const glm::vec3& d);
 
+/// The weights of corners 1 and 2 at a hit (Embree's u and v), as precisely.
+std::array<double, 2> exact_barycentrics(const Corners& c, const glm::vec3& d);
+
 } // namespace firsthit

@@ -108,13 +108,17 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
 }
 
 /// Samples whose double depth lies outside the triangle's: its determinant lost too many digits.
-void repair_depth(const Corners& corners, const ItemTile& items, int offset, std::uint64_t samples,
-    const float* x, const float* y, float* t)
+void repair_hits(const Corners& corners, const ItemTile& items, int offset, std::uint64_t samples,
+    const float* x, const float* y, HitMemory& memory)
 {
     for (; samples; samples &= samples - 1) {
         const int lane = std::countr_zero(samples);
         const glm::vec3 d{items.x0 + x[lane], items.y0 + y[lane], 1.0f};
-        t[offset + lane] = float(1 / exact_inverse_depth(corners, d));
+        const auto [u, v] = exact_barycentrics(corners, d);
+        const auto at = std::size_t(offset + lane);
+        memory.t[at] = float(1 / exact_inverse_depth(corners, d));
+        memory.u[at] = float(std::clamp(u, 0.0, 1.0));
+        memory.v[at] = float(std::clamp(v, 0.0, 1.0));
     }
 }
 
@@ -171,7 +175,7 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
                 glm::vec3(batch.corner[0][i], batch.corner[1][i], batch.corner[2][i]),
                 glm::vec3(batch.corner[3][i], batch.corner[4][i], batch.corner[5][i]),
                 glm::vec3(batch.corner[6][i], batch.corner[7][i], batch.corner[8][i])};
-            repair_depth(corners, items, offset, suspect, x_in_tile, y_in_tile, memory.t.data());
+            repair_hits(corners, items, offset, suspect, x_in_tile, y_in_tile, memory);
         }
     }
 }
