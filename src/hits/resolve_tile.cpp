@@ -108,8 +108,8 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
 }
 
 /// Samples whose double depth lies outside the triangle's: its determinant lost too many digits.
-void repair_hits(const Corners& corners, const ItemTile& items, int offset, std::uint64_t samples,
-    const float* x, const float* y, HitMemory& memory)
+HWY_NOINLINE void repair_hits(const Corners& corners, const ItemTile& items, int offset,
+    std::uint64_t samples, const float* x, const float* y, HitMemory& memory)
 {
     for (; samples; samples &= samples - 1) {
         const int lane = std::countr_zero(samples);
