@@ -7,7 +7,6 @@
 #include "base/simd.h"
 
 #include "hits/resolve_tile.h"
-#include "visibility/sample_registers-inl.h"
 #include "visibility/set_up-inl.h"
 
 #include <firsthit/scene.h>
@@ -42,8 +41,13 @@ HWY_INLINE std::uint64_t samples_with(const std::uint32_t* items, std::uint32_t 
     const hn::CappedTag<std::uint32_t, 16> d;
     const auto wanted = hn::Set(d, id);
     std::uint64_t samples = 0;
-    for (int k = 0; k < kBlockSamples; k += int(hn::Lanes(d)))
-        samples |= bits(d, hn::Eq(hn::Load(d, items + k), wanted)) << k;
+    for (int k = 0; k < kBlockSamples; k += int(hn::Lanes(d))) {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, hn::Eq(hn::Load(d, items + k), wanted), bytes);
+        std::uint64_t word;
+        std::memcpy(&word, bytes, 8);
+        samples |= word << k;
+    }
     return samples;
 }
 
@@ -165,7 +169,10 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
         keep(weight(v), memory.v);
         const auto plausible = hn::And(hn::Ge(t, nearest), hn::Le(t, farthest));
         if (!hn::AllTrue(f, hn::Or(plausible, hn::Not(mask)))) [[unlikely]] {
-            const std::uint64_t suspect = bits(f, hn::AndNot(plausible, mask));
+            std::memset(bytes, 0, 8);
+            hn::StoreMaskBits(f, hn::AndNot(plausible, mask), bytes);
+            std::uint64_t suspect;
+            std::memcpy(&suspect, bytes, 8);
             float x_in_tile[8], y_in_tile[8];
             for (int lane = 0; lane < lanes; ++lane) {
                 x_in_tile[lane] = float(block_x) + sample_x[k + lane];

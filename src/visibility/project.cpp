@@ -38,7 +38,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const Wide d;
     const Narrow f;
     const Whole w;
-    auto xf = hn::Undefined(f), yf = hn::Undefined(f), zf = hn::Undefined(f);
+    auto xf = hn::Zero(f), yf = xf, zf = xf;
     hn::LoadInterleaved3(f, xyz, xf, yf, zf);
     const auto px = hn::Sub(hn::PromoteTo(d, xf), hn::Set(d, pencil.eye.x));
     const auto py = hn::Sub(hn::PromoteTo(d, yf), hn::Set(d, pencil.eye.y));

@@ -130,7 +130,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
         hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
 
     // Edges, positive inside, |e| <= 1 over the extent.
-    auto gx0 = hn::Undefined(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,
+    auto gx0 = hn::Zero(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,
          gy2 = gx0, c2 = gx0;
     const auto edge = [&](const Vector3<V>& n, auto& gx, auto& gy, auto& c) {
         const V at = at_origin(n);
