@@ -2,6 +2,10 @@
 function(firsthit_compile_options target)
     target_compile_options(${target} PRIVATE
         -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+        # GCC 12 takes `"text" + string` for overlapping memory at -O3 (its bug 105651).
+        target_compile_options(${target} PRIVATE -Wno-restrict)
+    endif()
     if(FIRSTHIT_WERROR)
         target_compile_options(${target} PRIVATE -Werror)
     endif()
