@@ -17,7 +17,7 @@ struct TestWorld {
     void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
     {
         const auto first = std::uint32_t(world.position.size());
-        world.position.insert(world.position.end(), {a, b, c});
+        for (const glm::vec3& corner : {a, b, c}) world.position.push_back(corner);
         scene->index.push_back({first, first + 1, first + 2});
     }
 
