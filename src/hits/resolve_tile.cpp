@@ -146,9 +146,10 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
     const auto zero = hn::Zero(f), one = hn::Set(f, 1.0f);
 
     const std::uint64_t all = (std::uint64_t(1) << lanes) - 1;
-    for (int k = 0; k < kBlockSamples; k += lanes) {
-        const std::uint64_t samples = run.samples >> k & all;
-        if (!samples) continue;
+    for (std::uint64_t rest = run.samples; rest;) {
+        const int k = std::countr_zero(rest) / lanes * lanes; // first sample of a register
+        const std::uint64_t samples = rest >> k & all;
+        rest &= ~(all << k);
         std::uint8_t bytes[8];
         std::memcpy(bytes, &samples, 8);
         const auto mask = hn::LoadMaskBits(f, bytes);
