@@ -64,13 +64,11 @@ int run_render(const RenderOptions& options)
         Progress progress("frames", times.size());
         for (std::size_t frame = 0; frame < times.size(); ++frame) {
             const Stopwatch total;
-            pose(scene, times[frame], world, renderer.threads());
-            const double pose_ms = total.ms();
+            renderer.pose(scene, times[frame], world);
             renderer.render(world, views.view(world), settings, film);
             Stats stats = renderer.stats();
             const Stopwatch writing;
             write_files(options, film, static_cast<int>(frame));
-            stats.pose_ms = pose_ms;
             stats.write_ms = writing.ms();
             stats.total_ms = total.ms();
             run.frames.push_back({times[frame], stats});

@@ -56,6 +56,10 @@ class Renderer {
     void render(
         const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 
+    /// Poses the scene on the renderer's threads, for render() with a world: who wants the camera
+    /// of that time first. Counted in the next frame's statistics. throws  as firsthit::pose
+    void pose(const Scene& scene, double time_s, World& world);
+
     /// The same for a world that is posed already.
     void render(const World& world, const View& view, const Settings& settings, Film& film);
 

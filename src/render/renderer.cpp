@@ -10,6 +10,7 @@
 #include <firsthit/render.h>
 
 #include <new>
+#include <utility>
 
 namespace firsthit {
 
@@ -33,6 +34,7 @@ struct Renderer::Impl {
     World posed;
     FrameMemory memory;
     Stats stats;
+    double pose_ms = 0; // since the last frame
 };
 
 Renderer::Renderer(int threads) : impl_(std::make_unique<Impl>(threads)) {}
@@ -41,20 +43,24 @@ Renderer::~Renderer() = default;
 void Renderer::render(
     const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film)
 {
-    Stopwatch total, watch;
-    impl_->stats = {};
-    pose(scene, time_s, impl_->posed, impl_->tasks);
-    impl_->stats.pose_ms = watch.lap_ms();
-    impl_->frame(impl_->posed, view, settings, film);
-    impl_->stats.total_ms = total.lap_ms();
+    pose(scene, time_s, impl_->posed);
+    render(impl_->posed, view, settings, film);
+}
+
+void Renderer::pose(const Scene& scene, double time_s, World& world)
+{
+    Stopwatch watch;
+    firsthit::pose(scene, time_s, world, impl_->tasks);
+    impl_->pose_ms += watch.lap_ms();
 }
 
 void Renderer::render(const World& world, const View& view, const Settings& settings, Film& film)
 {
-    Stopwatch total;
+    Stopwatch watch;
     impl_->stats = {};
+    impl_->stats.pose_ms = std::exchange(impl_->pose_ms, 0);
     impl_->frame(world, view, settings, film);
-    impl_->stats.total_ms = total.lap_ms();
+    impl_->stats.total_ms = impl_->stats.pose_ms + watch.lap_ms();
 }
 
 const Stats& Renderer::stats() const
