@@ -60,7 +60,8 @@ class Renderer {
     /// of that time first. Counted in the next frame's statistics. throws  as firsthit::pose
     void pose(const Scene& scene, double time_s, World& world);
 
-    /// The same for a world that is posed already.
+    /// Makes the picture of a world that is posed already.
+    /// throws  as the first render
     void render(const World& world, const View& view, const Settings& settings, Film& film);
 
     /// Of the last frame.
