@@ -57,7 +57,8 @@ class Renderer {
         const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 
     /// Poses the scene on the renderer's threads, for render() with a world: who wants the camera
-    /// of that time first. Counted in the next frame's statistics. throws  as firsthit::pose
+    /// of that time first. Counted in the next frame's statistics.
+    /// throws  as firsthit::pose
     void pose(const Scene& scene, double time_s, World& world);
 
     /// Makes the picture of a world that is posed already.
@@ -74,7 +75,7 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The instruction set the kernels use here ("AVX3", "AVX2", "SSE4", "EMU128"), which the
+/// The instruction set the kernels use here ("AVX3", "AVX2", "SSE4", "SCALAR"), which the
 /// environment variable FIRSTHIT_ISA lowers.
 std::string instruction_set();
 

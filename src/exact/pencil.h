@@ -28,9 +28,9 @@ struct Pencil {
 inline constexpr int kMaxPencil = 8192;
 
 /// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which
-/// are the pixel rays of a picture `samples` times as wide and high. throws  ArgumentError: a
-/// camera without a direction, or a field of view out of range: not between 0 and pi, or so small
-/// that f is above 1e15
+/// are the pixel rays of a picture `samples` times as wide and high.
+/// throws  ArgumentError: a camera without a direction, or a field of view out of range: not
+///         between 0 and pi, or so small that f is above 1e15
 Pencil pencil_of(const View& view, const Region& region, int samples);
 
 } // namespace firsthit

@@ -31,8 +31,8 @@ std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effo
 
 /// The same for all rays of a pencil: items[(y * width) + x]. A triangle is left out of a row of
 /// samples only where the whole row certainly misses it; everything else is decided sample by
-/// sample, by the same functions as above. progress  called now and then with the share that is
-/// done; may be empty
+/// sample, by the same functions as above.
+/// progress  called now and then with the share that is done; may be empty
 void cast_brute(const EyeTriangles& triangles, const Pencil& pencil, std::span<std::uint32_t> items,
     Tasks& tasks, const std::function<void(double)>& progress = {});
 

@@ -10,9 +10,9 @@
 namespace firsthit {
 
 /// Reads a PNG, JPEG, PPM or PGM (binary, of 8 or 16 bits) and makes its smaller levels. The
-/// texture's name is the file's. throws  FileError: unreadable, another format, damaged, wider or
-/// higher than 16,384 or of more than
-///         2^26 texels
+/// texture's name is the file's.
+/// throws  FileError: unreadable, another format, damaged, wider or higher than 16,384 or of more
+///         than 2^26 texels
 Texture read_texture(const std::filesystem::path& path);
 
 /// The same for a file's bytes; `name` is for errors.

@@ -18,7 +18,8 @@ class TextCursor {
 
     /// Counts lines from here on as if that many had gone before.
     void start_after(std::size_t lines) { line_ = lines; }
-    /// Goes to the next line.  returns  false at the end of the text
+    /// Goes to the next line.
+    /// returns  false at the end of the text
     bool next_line();
     /// The next word of the line, empty at the line's end.
     std::string_view next_word();
