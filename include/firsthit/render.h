@@ -12,6 +12,13 @@
 
 namespace firsthit {
 
+/// How a frame finds out which lights reach what it sees.
+enum class Shadows {
+    none,  // every light reaches everything
+    map,   // shadow maps (Robert and Schoepke 2006, section 3.2): fast, approximate
+    exact, // as a shadow ray for every sample and light would say
+};
+
 /// What a frame is made with. Items and pictures do not depend on threads, tile size or instruction
 /// set.
 struct Settings {
@@ -19,6 +26,10 @@ struct Settings {
     bool color = true;     // false: only the planes are made
     std::vector<Aov> aovs; // which planes to make
     int tile_size = 64;    // pixels, a multiple of 8 from 8 to 128
+    Shadows shadows = Shadows::exact;
+    int shadow_map_size = 0; // texels on a side; 0: by the camera's frustum, the hits and the light
+    double shadow_bias = -1; // of a map, world units towards the light; negative: by the texels
+    int shadow_filter = 1;   // N: N x N texels are compared, 1 to 15; 1: hard borders
 };
 
 /// Where a frame's time went and what it counted. Milliseconds. Raster, resolve and shade run tile

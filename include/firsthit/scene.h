@@ -102,9 +102,18 @@ struct Part {
     Deform deform; // set: writes the part's vertices, the arrays of the scene are unused
 };
 
-/// A point light without fall-off, as in the paper's scenes.
-struct PointLight {
-    glm::dvec3 position{0};
+/// A light without fall-off, as in the paper's scenes.
+struct Light {
+    enum class Kind {
+        point,       // from a position to all sides
+        spot,        // from a position into a cone
+        directional, // parallel, from infinitely far away
+    };
+    Kind kind = Kind::point;
+    glm::dvec3 position{0};         // point, spot
+    glm::dvec3 direction{0, -1, 0}; // spot, directional: the way the light goes; any length above 0
+    double inner_rad = 0;           // spot: half angle of the cone that has the full light
+    double outer_rad = 0.78539816339744831; // spot: half angle where it ends, in (inner, pi / 2)
     glm::vec3 color{1.0f};
     std::int32_t track = -1; // >= 0: the track's translation replaces position
 };
@@ -120,7 +129,7 @@ struct Scene {
     std::vector<Part> parts; // in order of their triangles and of their vertices, without gaps
     std::vector<Material> materials;
     std::vector<Texture> textures;
-    std::vector<PointLight> lights;
+    std::vector<Light> lights;
 
     std::vector<glm::vec3> position;  // (V) object space
     std::vector<glm::vec3> normal;    // (V) unit, object space
@@ -152,7 +161,7 @@ struct World {
     double time_s = 0;
     std::vector<glm::vec3> position; // (V)
     std::vector<glm::vec3> normal;   // (V) unit
-    std::vector<PointLight> lights;
+    std::vector<Light> lights;
     Camera camera;
     std::vector<glm::dmat4> node_matrix;    // (nodes) world_from_node
     std::vector<std::uint8_t> node_visible; // (nodes)

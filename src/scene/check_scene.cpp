@@ -146,7 +146,7 @@ void check_materials(const Scene& scene)
 void check_lights(const Scene& scene)
 {
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
-        const PointLight& light = scene.lights[l];
+        const Light& light = scene.lights[l];
         check_number(scene, light.track, scene.tracks.size(), fmt::format("light {}: track", l));
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite(light.position[axis]) || !std::isfinite(light.color[axis]))

@@ -20,7 +20,7 @@ void add_default_light(Scene& scene)
     const glm::dvec3 forward = glm::normalize(camera.direction);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::dvec3 up = glm::cross(right, forward);
-    PointLight light;
+    Light light;
     light.position = camera.eye + distance * (0.5 * right + 0.7 * up);
     // Where the camera is degenerate the renderer says so.
     if (!std::isfinite(light.position.x + light.position.y + light.position.z))

@@ -48,7 +48,7 @@ void check_shape(const Scene& scene)
                             std::to_string(scene.nodes[n].parent));
         check_index(scene, scene.nodes[n].track, scene.tracks.size(), "track");
     }
-    for (const PointLight& light : scene.lights)
+    for (const Light& light : scene.lights)
         check_index(scene, light.track, scene.tracks.size(), "track");
     check_index(scene, scene.camera_track, scene.tracks.size(), "track");
 
@@ -182,7 +182,7 @@ void pose(const Scene& scene, double time_s, World& world, Tasks& tasks)
     pose_parts(scene, world, tasks);
 
     world.lights = scene.lights;
-    for (PointLight& light : world.lights) {
+    for (Light& light : world.lights) {
         if (light.track < 0) continue;
         const Track& track = scene.tracks[static_cast<std::size_t>(light.track)];
         if (!track.translation.empty()) light.position = evaluate_vector(track.translation, time_s);

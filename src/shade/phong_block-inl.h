@@ -41,7 +41,7 @@ HWY_INLINE real3 phong(const TileShade& tile, const Material& material, real3 po
     const PhongExponent exponent = phong_exponent(material.shininess);
 
     real3 color = from_glm(material.ambient * scene.ambient) * texture;
-    for (const PointLight& light : tile.world.lights) {
+    for (const Light& light : tile.world.lights) {
         const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
         const real cosine = lit_cosine(normal, to_light);
         const real glint =

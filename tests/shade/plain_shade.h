@@ -85,7 +85,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const ShadeTar
     const real3 diffuse = from_glm(material.diffuse) * color_of_texture;
     real3 color = from_glm(material.ambient * scene.ambient) * color_of_texture;
     const PhongExponent exponent = phong_exponent(material.shininess);
-    for (const PointLight& light : world.lights) {
+    for (const Light& light : world.lights) {
         const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
         const real cosine = lit_cosine(normal, to_light);
         const real glint =

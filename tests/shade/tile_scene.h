@@ -84,7 +84,7 @@ struct TileScene {
 
     void add_light(glm::dvec3 position, glm::vec3 color = glm::vec3(1))
     {
-        PointLight light;
+        Light light;
         light.position = position;
         light.color = color;
         world.lights.push_back(light);

@@ -142,7 +142,7 @@ std::uint32_t Builder::add_node(Node node, std::string_view track)
     return number;
 }
 
-void Builder::add_light(const PointLight& light, std::string_view track)
+void Builder::add_light(const Light& light, std::string_view track)
 {
     if (!track.empty()) light_tracks_.emplace_back(scene.lights.size(), track);
     scene.lights.push_back(light);

@@ -42,7 +42,7 @@ class Builder {
 
     /// track  the name of the track that moves it, or empty
     std::uint32_t add_node(Node node, std::string_view track);
-    void add_light(const PointLight& light, std::string_view track);
+    void add_light(const Light& light, std::string_view track);
     /// An empty track of this name, in place of an earlier one.
     Track& begin_track(std::string_view name);
 

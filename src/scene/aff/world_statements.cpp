@@ -53,7 +53,7 @@ void read_view(Lexer& lexer, State& state)
 
 void read_light(Lexer& lexer, State& state)
 {
-    PointLight light;
+    Light light;
     light.position = lexer.small_triple("the light's place");
     light.color = optional_color(lexer);
     state.builder.add_light(light, {});
@@ -62,7 +62,7 @@ void read_light(Lexer& lexer, State& state)
 void read_moving_light(Lexer& lexer, State& state)
 {
     const std::string_view track = lexer.word("the light's name");
-    PointLight light;
+    Light light;
     light.position = lexer.small_triple("the light's place");
     light.color = optional_color(lexer);
     state.builder.add_light(light, track);

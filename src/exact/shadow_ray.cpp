@@ -1,0 +1,106 @@
+// shadow_ray.cpp - does a triangle stand between a light and a point?
+#include "exact/shadow_ray.h"
+
+#include "exact/expansion.h"
+
+#include <glm/geometric.hpp>
+
+namespace firsthit {
+namespace {
+
+using glm::vec3;
+
+/// The corners whose pencil through the origin holds the light's rays.
+Corners pencil_corners(const LightSpace& space, const Corners& c)
+{
+    if (!space.directional) return c;
+    return {vec3(c[0].x, c[0].y, 1), vec3(c[1].x, c[1].y, 1), vec3(c[2].x, c[2].y, 1)};
+}
+
+/// facing * N . (d - v0) > margin * |N|, by expansions. N and N . v0 are sums over the edges of
+/// a x b and of the triple product, whose products of two floats are exact in double.
+bool exactly_behind(const Corners& c, int facing, const vec3& d, float margin)
+{
+    Expansion<6> n[3];
+    for (int k = 0; k < 3; ++k) {
+        const vec3 &a = c[std::size_t(k)], &b = c[std::size_t((k + 1) % 3)];
+        for (int axis = 0; axis < 3; ++axis) {
+            const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+            n[axis].add(double(a[i]) * double(b[j]));
+            n[axis].add(-(double(a[j]) * double(b[i])));
+        }
+    }
+    Expansion<108> height;
+    for (int axis = 0; axis < 3; ++axis) {
+        height.add_scaled(n[axis], double(facing) * double(d[axis]));
+        height.add_scaled(n[axis], -double(facing) * double(c[0][axis]));
+        height.add_scaled(n[axis], -double(margin) * n[axis].sign());
+    }
+    return height.sign() > 0;
+}
+
+/// The same in doubles first.
+bool is_behind(const Corners& c, int facing, const vec3& d, float margin, Effort& effort)
+{
+    const glm::dvec3 v0(c[0]), e1 = glm::dvec3(c[1]) - v0, e2 = glm::dvec3(c[2]) - v0,
+                               h = glm::dvec3(d) - v0;
+    double height = 0, size = 0, length = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+        const double plus = e1[i] * e2[j], minus = e1[j] * e2[i];
+        const double n = plus - minus, n_size = std::abs(plus) + std::abs(minus);
+        height += n * h[axis];
+        length += std::abs(n);
+        // Of h: three roundings in n's terms, its own, a difference, a product, two sums; of the
+        // margin's side: as many.
+        size += n_size * (std::abs(h[axis]) + double(margin));
+    }
+    const double ahead = facing * height - double(margin) * length;
+    if (std::abs(ahead) > 16 * kUlp * size) return ahead > 0;
+    ++effort.exact_calls;
+    return exactly_behind(c, facing, d, margin);
+}
+
+} // namespace
+
+LightSpace light_space(const Light& light, const glm::dvec3& eye)
+{
+    const auto largest = [](const glm::dvec3& v) {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    };
+    LightSpace space;
+    space.directional = light.kind == Light::Kind::directional;
+    if (!space.directional) {
+        space.origin = light.position;
+        space.reach = float(largest(light.position) + largest(eye));
+        return space;
+    }
+    const glm::dvec3 z = glm::normalize(light.direction);
+    // Across: away from the axis that the light is nearest to, so that axes stay axes.
+    const glm::dvec3 size = glm::abs(z);
+    glm::dvec3 away(0);
+    away[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
+    const glm::dvec3 x = glm::normalize(glm::cross(away, z));
+    space.axes = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
+    space.reach = float(largest(eye));
+    return space;
+}
+
+bool is_shadowed(const LightSpace& space, const Corners& c, const vec3& d, Effort& effort)
+{
+    if (!usable(c) || !has_shadow_ray(space, d)) return false;
+    const Corners pencil = pencil_corners(space, c);
+    const vec3 ray = space.directional ? vec3(d.x, d.y, 1) : d;
+    const int facing = volume_sign(pencil, effort);
+    return facing != 0 && edge_sign(pencil[0], pencil[1], ray, effort) == facing &&
+           edge_sign(pencil[1], pencil[2], ray, effort) == facing &&
+           edge_sign(pencil[2], pencil[0], ray, effort) == facing &&
+           is_behind(c, facing, d, shadow_margin(space, d), effort);
+}
+
+int light_side(const LightSpace& space, const Corners& c, Effort& effort)
+{
+    return usable(c) ? volume_sign(pencil_corners(space, c), effort) : 0;
+}
+
+} // namespace firsthit
