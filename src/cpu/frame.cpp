@@ -80,8 +80,9 @@ void render_part(const World& world, const View& view, const Region& part, const
         worker.raster_ms += lap.lap_ms();
         const HitTile hits = resolve_tile(memory.view, worker.items, worker.hits); // where exactly?
         worker.resolve_ms += lap.lap_ms();
-        shade_tile(hits, world, worker.shade.targets); // what colour is it?
-        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits,
+        const LitTile lit;                                  // every light reaches everything
+        shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
+        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits, lit,
             worker.shade.targets, film);
         worker.shade_ms += lap.lap_ms();
         worker.counts.uncertain += worker.items.counts.uncertain;
@@ -94,8 +95,8 @@ void render_part(const World& world, const View& view, const Region& part, const
 }
 
 /// Prepares every worker's tile memory, and the planes of the film that the pass fills.
-void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& memory, Tasks& tasks,
-    Film& film)
+void prepare(const Pass& pass, int tile_size, const World& world, const View& view,
+    FrameMemory& memory, Tasks& tasks, Film& film)
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<TileWorker>());
@@ -104,14 +105,14 @@ void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& mem
         resize(worker->hits, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
     }
-    resize(film, view.region.width, view.region.height, pass.color, pass.aovs);
+    resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
 }
 
 void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
     FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     const int tile = tile_samples(tile_size, pass.samples);
-    prepare(pass, tile, view, memory, tasks, film);
+    prepare(pass, tile, world, view, memory, tasks, film);
     // Parts small enough for the boxes' and tiles' integers, in whole tiles.
     const int step = std::min(kMaxPencil, 255 * tile) / tile * tile / pass.samples;
     const Region& all = view.region;
