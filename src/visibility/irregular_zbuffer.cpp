@@ -16,6 +16,7 @@ void sort(std::span<const IrregularSample> samples, std::span<const SampleRange>
     Tasks& tasks)
 {
     cells.bounds = bounds;
+    if (sample_count == 0) triangle_ranges = {};
     std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
         cells.grid = cell_grid(bounds, wanted);
@@ -28,23 +29,20 @@ void sort(std::span<const IrregularSample> samples, std::span<const SampleRange>
 void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t cell, int level,
     const LightPoints& points, CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
 {
-    const SampleRange range{
-        cells.sample_start[cell], cells.sample_start[cell + 1] - cells.sample_start[cell]};
-    const std::size_t first = cells.triangle_start[cell],
-                      count = cells.triangle_start[cell + 1] - first;
-    if (range.count == 0 || count == 0) return;
-    const auto triangles = cells.triangles.span().subspan(first, count);
-    const auto own = cells.samples.span().subspan(range.first, range.count);
-    if (level == kCellLevels || range.count <= kManySamples || count <= kManyTriangles) {
-        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
+    const auto samples = cells.samples_of(cell);
+    const auto triangles = cells.seen.of(cell);
+    if (samples.empty() || triangles.empty()) return;
+    if (level == kCellLevels || samples.size() <= kManySamples ||
+        triangles.size() <= kManyTriangles) {
+        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
-    const SampleRange all{0, count};
-    sort(cells.samples.span(), {&range, 1}, range.count, triangles, {&all, 1},
-        bounds_of(own), inner, serial);
+    const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
+    sort(samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1},
+        bounds_of(samples), inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
-        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
@@ -54,16 +52,46 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
 } // namespace
 
 void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, IrregularMemory& memory,
     Tasks& tasks)
 {
-    std::size_t count = 0;
-    for (const SampleRange& range : ranges) count += range.count;
+    memory.samples = samples;
     memory.triangle_ranges.resize(mesh.range_count.size());
-    for (std::size_t k = 0; k < mesh.range_count.size(); ++k)
+    std::size_t triangle_count = 0, count = 0;
+    for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
         memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
-    sort(samples, ranges, count, mesh.in_view.span(), memory.triangle_ranges.span(), bounds,
-        memory.cells, tasks);
+        triangle_count += mesh.range_count[k];
+    }
+    for (const SamplePatch& patch : patches) count += patch.range.count;
+
+    memory.loose.resize(patches.size());
+    memory.patches.patches.resize(patches.size());
+    std::size_t compact = 0, loose = 0, loose_count = 0;
+    SampleBounds loose_bounds;
+    for (const SamplePatch& patch : patches) {
+        if (patch.range.count == 0) continue;
+        if (is_compact(patch, bounds, triangle_count)) {
+            memory.patches.patches[compact++] = patch;
+        } else {
+            memory.loose[loose++] = patch.range;
+            loose_count += patch.range.count;
+            loose_bounds.add(patch.bounds);
+        }
+    }
+    const auto triangles = mesh.in_view.span();
+    const auto ranges = memory.triangle_ranges.span();
+    memory.patches.patches.resize(compact);
+    if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
+        // Too many large triangles: everything is sorted, into as few cells as need be.
+        memory.patches.patches.resize(0);
+        loose = 0;
+        loose_count = count;
+        loose_bounds = bounds;
+        for (const SamplePatch& patch : patches) memory.loose[loose++] = patch.range;
+    }
+    memory.loose.resize(loose);
+    sort(samples, memory.loose.span(), loose_count, triangles, ranges, loose_bounds, memory.cells,
+        tasks);
 }
 
 void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
@@ -71,6 +99,14 @@ void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<CellWorker>());
+    const PatchMemory& patches = memory.patches;
+    tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
+        const SampleRange& range = patches.patches[k].range;
+        const auto triangles = patches.seen.of(k);
+        if (!triangles.empty())
+            test_leaf(mesh, memory.samples.subspan(range.first, range.count), triangles, points,
+                memory.workers[worker]->leaf, shadowed);
+    });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
         test_cell(mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);
