@@ -19,10 +19,10 @@ namespace firsthit {
 
 /// Where the time went, in milliseconds, and what it took.
 struct ShadowEffort {
-    double collect_ms = 0; // hits to points in the light's space
-    double see_ms = 0;     // vertices and triangles to the light's faces
-    double sort_ms = 0;    // into the cells
-    double test_ms = 0;    // triangles over points
+    double collect_ms = 0;    // hits to points in the light's space
+    double see_ms = 0;        // vertices and triangles to the light's faces
+    double sort_ms = 0;       // into the cells
+    double test_ms = 0;       // triangles over points
     std::uint64_t points = 0; // that a light might reach
     ShadowCounts counts;
 };
@@ -32,9 +32,9 @@ struct ShadowMemory {
     LightMesh mesh;
     IrregularMemory irregular;
     Buffer<IrregularSample> samples; // (chunks, chunk_room)
-    std::vector<FaceParts> parts;  // (chunks)
-    Buffer<SamplePatch> patches; // (chunks) of one face
-    Buffer<std::uint8_t> shadowed; // (points) of one light
+    std::vector<FaceParts> parts;    // (chunks)
+    Buffer<SamplePatch> patches;     // (chunks) of one face
+    Buffer<std::uint8_t> shadowed;   // (points) of one light
     std::vector<std::unique_ptr<LightChunk>> workers;
     ShadowEffort effort; // so far; take_effort moves it away
 };

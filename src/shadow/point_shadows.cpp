@@ -12,7 +12,8 @@ class GivenPoints : public LightPoints {
   public:
     GivenPoints(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
         const LightSpace& space)
-        : points_(points), space_(space)
+        : points_(points),
+          space_(space)
     {
         if (!receivers.empty()) item = receivers.data();
     }
@@ -45,7 +46,8 @@ void test_points(const World& world, const LightSpace& space, std::span<const gl
             chunk.x[k] = d.x, chunk.y[k] = d.y, chunk.z[k] = d.z;
             chunk.id[k] = std::uint32_t(first + k);
         }
-        see_points(space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
+        see_points(
+            space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
         std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
     });
     test_chunks(GivenPoints(points, receivers, memory.mesh.space), memory, tasks);

@@ -49,16 +49,17 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    Buffer<IrregularSample> samples; // by cell
+    Buffer<IrregularSample> samples;    // by cell
     Buffer<std::uint32_t> sample_start; // (cells + 1)
     SeenBins seen;                      // by cell
     Buffer<std::uint32_t> cursor;       // (shares, cells), while sorting
     Buffer<std::uint16_t> cell_of;      // (samples), while sorting
-    Buffer<CellRect> rect_of; // (triangles), while sorting
+    Buffer<CellRect> rect_of;           // (triangles), while sorting
 
     std::span<const IrregularSample> samples_of(std::size_t cell) const
     {
-        return samples.span().subspan(sample_start[cell], sample_start[cell + 1] - sample_start[cell]);
+        return samples.span().subspan(
+            sample_start[cell], sample_start[cell + 1] - sample_start[cell]);
     }
 };
 

@@ -5,6 +5,7 @@
 #include "base/simd.h"
 
 #include "visibility/irregular_cells.h"
+#include "visibility/gather_corners.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_set_up-inl.h"
 #include "visibility/sample_registers-inl.h"
@@ -21,12 +22,13 @@ namespace {
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-void frame_cell(
-    const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
+void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
 {
     leaf.count = samples.size();
     leaf.bounds = bounds_of(samples);
-    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w), std::abs(leaf.bounds.nearest_w)) : leaf.bounds.nearest_w;
+    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
+                                                  std::abs(leaf.bounds.nearest_w))
+                                            : leaf.bounds.nearest_w;
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
@@ -90,8 +92,7 @@ void copy_samples(
         }
         copy(last, k);
     }
-    for (std::size_t i = 0; i < padded; ++i)
-        leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
+    for (std::size_t i = 0; i < padded; ++i) leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
 }
 
 SampleBounds bounds_of_group(const LeafMemory& leaf, std::size_t group)
@@ -124,8 +125,7 @@ void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         OverlapTable& table = leaf.table[chunk];
         table = {};
-        const std::size_t first = chunk * kTableBoxes,
-                          last = std::min(groups, first + kTableBoxes);
+        const std::size_t first = chunk * kTableBoxes, last = std::min(groups, first + kTableBoxes);
         for (std::size_t group = first; group < last; ++group)
             table.add(int(group - first), bounds_of_group(leaf, group), slots);
         table.finish();
@@ -204,8 +204,8 @@ HWY_INLINE void test_groups(
                 std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
-                shadowed |= settle_group(cell.mesh, cell.samples, cell.points,
-                    batch.triangle[i], group * kGroup, open, leaf);
+                shadowed |= settle_group(cell.mesh, cell.samples, cell.points, batch.triangle[i],
+                    group * kGroup, open, leaf);
         }
         if (shadowed == before) continue;
         leaf.shadowed[group] = std::uint16_t(shadowed);
@@ -217,13 +217,7 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
 {
     const hn::CappedTag<double, 8> d;
     LeafBatch& batch = leaf.batch;
-    for (int i = 0; i < batch.count; ++i) {
-        const Corners corners = cell.mesh.corners(batch.triangle[i]);
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3 p = cell.mesh.face.seen_from(corners[std::size_t(k)]);
-            for (int axis = 0; axis < 3; ++axis) batch.corner[3 * k + axis][i] = p[axis];
-        }
-    }
+    gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
     for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
         set_up_leaf_lanes(d, cell.mesh.space.directional, leaf, i);
     for (int i = 0; i < batch.count; ++i) {
@@ -236,6 +230,54 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
     batch.count = 0;
 }
 
+/// The slots of sixteen triangles, a row for each side of the box and the depth.
+struct SlotRegister {
+    alignas(64) std::int32_t slot[5][kGroup];
+};
+
+/// Fills in the slots of up to sixteen triangles. Returns those that may shadow a sample inside the
+/// bounds, a bit each.
+HWY_INLINE std::uint32_t find_slots(std::span<const SeenTriangle> triangles,
+    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& seen)
+{
+    const Group d;
+    const hn::RebindToSigned<Group> w;
+    const int lanes = int(hn::Lanes(d));
+    constexpr int kStride = int(sizeof(SeenTriangle) / sizeof(float));
+    SeenTriangle spare[kGroup];
+    const SeenTriangle* from = triangles.data();
+    if (triangles.size() < kGroup) {
+        for (std::size_t i = 0; i < kGroup; ++i)
+            spare[i] = triangles[std::min(i, triangles.size() - 1)];
+        from = spare;
+    }
+    const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, kStride));
+    const auto slot_of = [&](auto v, const Slots& axis) { // as Slots::of
+        const auto at = hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale));
+        const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
+        return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(kSlots - 1))));
+    };
+    std::uint32_t chosen = 0;
+    for (int k = 0; k < kGroup; k += lanes) {
+        const auto field = [&](const float& first) { return hn::GatherIndex(d, &first, steps); };
+        const auto x0 = field(from[k].x0), y0 = field(from[k].y0), x1 = field(from[k].x1),
+                   y1 = field(from[k].y1), nearest = field(from[k].nearest_w);
+        const auto meets = hn::And(
+            hn::And(hn::Le(x0, hn::Set(d, bounds.x1)), hn::Ge(x1, hn::Set(d, bounds.x0))),
+            hn::And(hn::And(hn::Le(y0, hn::Set(d, bounds.y1)), hn::Ge(y1, hn::Set(d, bounds.y0))),
+                hn::Not(hn::Lt(nearest, hn::Set(d, bounds.farthest_w)))));
+        chosen |= std::uint32_t(bits(d, meets)) << k;
+        const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
+        hn::Store(slot_of(hn::Sub(x0, x), slots.x), w, seen.slot[0] + k);
+        hn::Store(slot_of(hn::Sub(y0, y), slots.y), w, seen.slot[1] + k);
+        hn::Store(slot_of(hn::Sub(x1, x), slots.x), w, seen.slot[2] + k);
+        hn::Store(slot_of(hn::Sub(y1, y), slots.y), w, seen.slot[3] + k);
+        hn::Store(slot_of(nearest, slots.w), w, seen.slot[4] + k);
+    }
+    if (triangles.size() < kGroup) chosen &= (1u << triangles.size()) - 1;
+    return chosen;
+}
+
 void test_samples(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& leaf,
     std::uint8_t* shadowed)
@@ -245,23 +287,28 @@ void test_samples(const LightMesh& mesh, std::span<const IrregularSample> sample
     // Boxes as offsets from the middle, like the samples.
     const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
     const SampleBounds& b = leaf.bounds;
-    const BoxSlots slots(
-        {b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
+    const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);
 
     const CellTest cell{mesh, samples, points, leaf_edge_error(leaf)};
     LeafBatch& batch = leaf.batch;
-    for (const SeenTriangle& triangle : triangles) {
-        if (!may_shadow(triangle, b)) continue;
-        const SeenTriangle moved{triangle.triangle, triangle.x0 - xm, triangle.y0 - ym,
-            triangle.x1 - xm, triangle.y1 - ym, triangle.nearest_w};
-        const SeenSlots seen(moved, slots);
-        std::uint64_t any = 0;
-        for (const OverlapTable& table : leaf.table.span()) any |= table.of(seen);
-        if (!any) continue;
-        batch.triangle[batch.count] = triangle.triangle;
-        batch.slots[batch.count] = seen;
-        if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+    SlotRegister seen;
+    for (std::size_t first = 0; first < triangles.size(); first += kGroup) {
+        const auto some =
+            triangles.subspan(first, std::min<std::size_t>(kGroup, triangles.size() - first));
+        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, seen); rest;
+             rest &= rest - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(rest));
+            SeenSlots reach;
+            for (int side = 0; side < 5; ++side)
+                reach.slot[side] = std::uint8_t(seen.slot[side][k]);
+            std::uint64_t any = 0;
+            for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
+            if (!any) continue;
+            batch.triangle[batch.count] = some[k].triangle;
+            batch.slots[batch.count] = reach;
+            if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+        }
     }
     test_batch(cell, leaf);
 

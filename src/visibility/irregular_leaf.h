@@ -39,13 +39,13 @@ struct ShadowCounts {
     }
 };
 
-inline constexpr int kGroup = 16;       // samples that are tested at once
-inline constexpr int kLeafBatch = 64;   // triangles that are set up together
+inline constexpr int kGroup = 16;     // samples that are tested at once
+inline constexpr int kLeafBatch = 64; // triangles that are set up together
 
 /// Structure of arrays. Edges and w are affine in the sample's offset from the cell's middle.
 struct LeafBatch {
     int count = 0;
-    std::uint32_t triangle[kLeafBatch];
+    alignas(64) std::uint32_t triangle[kLeafBatch];
     SeenSlots slots[kLeafBatch];
     alignas(64) float corner[9][kLeafBatch]; // a0 b0 c0 a1 ... as the face sees them
     alignas(64) float gx[3][kLeafBatch], gy[3][kLeafBatch],

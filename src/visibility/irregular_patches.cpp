@@ -41,7 +41,8 @@ bool bin_patches(std::span<const SeenTriangle> from, std::span<const SampleRange
             }
         }
     };
-    return bin_seen(from, count == 0 ? std::span<const SampleRange>() : ranges, count, for_patches, memory.seen, tasks);
+    return bin_seen(from, count == 0 ? std::span<const SampleRange>() : ranges, count, for_patches,
+        memory.seen, tasks);
 }
 
 } // namespace firsthit

@@ -1,6 +1,8 @@
 // irregular_zbuffer.cpp - which points can a light not see?
 #include "visibility/irregular_zbuffer.h"
 
+#include "visibility/irregular_covers.h"
+
 namespace firsthit {
 namespace {
 
@@ -49,48 +51,89 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
         test_cell(mesh, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
+/// Takes the patches out that one triangle shadows.
+void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
+    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory)
+{
+    memory.covered.resize(patches.size());
+    memory.open.resize(patches.size());
+    std::size_t covered = 0, open = 0;
+    const CoverList covers = find_covers(mesh, memory.triangle_ranges.span(), bounds);
+    for (const SamplePatch& patch : patches) {
+        if (patch.range.count == 0) continue;
+        const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
+        if (is_covered(mesh, covers, patch, samples, points))
+            memory.covered[covered++] = patch.range;
+        else
+            memory.open[open++] = patch;
+    }
+    memory.covered.resize(covered);
+    memory.open.resize(open);
+}
+
+/// Splits the patches that are left into those that stay together and samples to be sorted.
+/// Returns the number and the bounds of the latter.
+struct Loose {
+    std::size_t count = 0;
+    SampleBounds bounds;
+};
+
+Loose split_patches(
+    const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
+{
+    const auto compact = [&](const SamplePatch& patch) {
+        return keep_compact && is_compact(patch, bounds, triangles);
+    };
+    std::size_t all = 0, compact_samples = 0;
+    for (const SamplePatch& patch : memory.open.span()) {
+        all += patch.range.count;
+        if (compact(patch)) compact_samples += patch.range.count;
+    }
+    // For few samples it does not pay to look at all triangles once more.
+    const bool worth_it = 4 * compact_samples > all;
+
+    Loose left;
+    std::size_t patches = 0, ranges = 0;
+    memory.patches.patches.resize(memory.open.size());
+    memory.loose.resize(memory.open.size());
+    for (const SamplePatch& patch : memory.open.span()) {
+        if (worth_it && compact(patch)) {
+            memory.patches.patches[patches++] = patch;
+        } else {
+            memory.loose[ranges++] = patch.range;
+            left.count += patch.range.count;
+            left.bounds.add(patch.bounds);
+        }
+    }
+    memory.patches.patches.resize(patches);
+    memory.loose.resize(ranges);
+    return left;
+}
+
 } // namespace
 
 void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, IrregularMemory& memory,
-    Tasks& tasks)
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    IrregularMemory& memory, Tasks& tasks)
 {
     memory.samples = samples;
     memory.triangle_ranges.resize(mesh.range_count.size());
-    std::size_t triangle_count = 0, count = 0;
+    std::size_t count = 0;
     for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
         memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
-        triangle_count += mesh.range_count[k];
+        count += mesh.range_count[k];
     }
-    for (const SamplePatch& patch : patches) count += patch.range.count;
+    find_covered(mesh, patches, bounds, points, memory);
 
-    memory.loose.resize(patches.size());
-    memory.patches.patches.resize(patches.size());
-    std::size_t compact = 0, loose = 0, loose_count = 0;
-    SampleBounds loose_bounds;
-    for (const SamplePatch& patch : patches) {
-        if (patch.range.count == 0) continue;
-        if (is_compact(patch, bounds, triangle_count)) {
-            memory.patches.patches[compact++] = patch;
-        } else {
-            memory.loose[loose++] = patch.range;
-            loose_count += patch.range.count;
-            loose_bounds.add(patch.bounds);
-        }
-    }
     const auto triangles = mesh.in_view.span();
     const auto ranges = memory.triangle_ranges.span();
-    memory.patches.patches.resize(compact);
+    Loose loose = split_patches(bounds, count, true, memory);
     if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
         // Too many large triangles: everything is sorted, into as few cells as need be.
-        memory.patches.patches.resize(0);
-        loose = 0;
-        loose_count = count;
-        loose_bounds = bounds;
-        for (const SamplePatch& patch : patches) memory.loose[loose++] = patch.range;
+        loose = split_patches(bounds, count, false, memory);
+        bin_patches(triangles, ranges, bounds, memory.patches, tasks);
     }
-    memory.loose.resize(loose);
-    sort(samples, memory.loose.span(), loose_count, triangles, ranges, loose_bounds, memory.cells,
+    sort(samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds, memory.cells,
         tasks);
 }
 
@@ -99,6 +142,11 @@ void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<CellWorker>());
+    tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
+        const SampleRange& range = memory.covered[k];
+        for (const IrregularSample& sample : memory.samples.subspan(range.first, range.count))
+            shadowed[sample.id] = 1;
+    });
     const PatchMemory& patches = memory.patches;
     tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
         const SampleRange& range = patches.patches[k].range;

@@ -3,7 +3,7 @@
 //
 // Points that came together and lie together stay together: a patch. The other points of a face are
 // sorted into the cells of a grid. A cell with many points is divided again, so that points that
-// crowd together cost little more than others. Triangles are sorted into the same patches and cells,
+// crowd together cost little more than others. A patch behind one large triangle is done at once. Triangles are sorted into the same patches and cells,
 // where every group of sixteen points meets the triangles whose box touches it.
 //
 // source  Johnson et al. 2005, "The Irregular Z-Buffer: Hardware Acceleration for Irregular Data
@@ -35,7 +35,9 @@ struct IrregularMemory {
     std::span<const IrregularSample> samples;
     PatchMemory patches;
     IrregularCells cells;
-    Buffer<SampleRange> loose; // samples that go to the cells
+    Buffer<SamplePatch> open;    // patches that are not
+    Buffer<SampleRange> loose;   // samples that go to the cells
+    Buffer<SampleRange> covered; // samples that one triangle shadows, all of a patch
     std::vector<std::unique_ptr<CellWorker>> workers;
     Buffer<SampleRange> triangle_ranges;
     Tasks serial{1};
@@ -46,8 +48,8 @@ struct IrregularMemory {
 /// patches  of `samples`; no two samples have the same id
 /// bounds   of all of them
 void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, IrregularMemory& memory,
-    Tasks& tasks);
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    IrregularMemory& memory, Tasks& tasks);
 
 /// Tests what was sorted: shadowed[id] = 1 for the samples that are shadowed, no other is written.
 /// Adds to the workers' counts.

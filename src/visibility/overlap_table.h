@@ -34,7 +34,9 @@ struct BoxSlots {
     Slots x, y, w;
 
     explicit BoxSlots(const SampleBounds& all)
-        : x(all.x0, all.x1), y(all.y0, all.y1), w(all.farthest_w, all.nearest_w)
+        : x(all.x0, all.x1),
+          y(all.y0, all.y1),
+          w(all.farthest_w, all.nearest_w)
     {
     }
 };

@@ -53,8 +53,7 @@ void place(const CellGrid& grid, std::span<const IrregularSample> samples, std::
     const hn::Rebind<std::uint16_t, Reals> narrow;
     for (std::size_t k = 0; k < samples.size(); k += hn::Lanes(d)) {
         const SampleRegister s(samples, k);
-        const auto column =
-            hn::ConvertTo(w, cell_along(s.x, grid.x0, grid.scale_x, grid.columns));
+        const auto column = hn::ConvertTo(w, cell_along(s.x, grid.x0, grid.scale_x, grid.columns));
         const auto row = hn::ConvertTo(w, cell_along(s.y, grid.y0, grid.scale_y, grid.rows));
         const auto number = hn::Add(hn::Mul(row, hn::Set(w, grid.columns)), column);
         hn::StoreU(hn::DemoteTo(narrow, number), narrow, cell + k);
