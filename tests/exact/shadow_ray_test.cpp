@@ -195,7 +195,8 @@ TEST(IsShadowed, NeedsMoreThanTheMarginsExactly)
                 LightSpace space;
                 space.directional = directional;
                 space.reach = (float(k) * 0x1p21f - 4 - 2 * (4 + float(k))) * scale;
-                ASSERT_EQ(double(shadow_margin(space, d)) + double(corner_margin(c)), float(k) * scale);
+                ASSERT_EQ(
+                    double(shadow_margin(space, d)) + double(corner_margin(c)), float(k) * scale);
                 EXPECT_FALSE(is_shadowed(space, c, d, effort)) << k << " " << scale;
                 EXPECT_FALSE(is_shadowed(space, {c[0], c[2], c[1]}, d, effort));
                 space.reach = std::nextafter(space.reach, 0.0f);
