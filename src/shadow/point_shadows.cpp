@@ -1,24 +1,55 @@
-// point_shadows.cpp - which points of any set are in shadow?
+// point_shadows.cpp - shadows of points that are no pixels.
 #include "shadow/point_shadows.h"
 
-#include "rays/brute_shadows.h"
+#include <algorithm>
 
 namespace firsthit {
+namespace {
+
+constexpr std::size_t kChunk = 4096; // points
+
+class GivenPoints : public LightPoints {
+  public:
+    GivenPoints(std::span<const glm::vec3> points, const LightSpace& space)
+        : points_(points), space_(space)
+    {
+    }
+
+    glm::vec3 in_light_space(std::uint32_t id) const override
+    {
+        return to_light(space_, points_[id]);
+    }
+
+  private:
+    std::span<const glm::vec3> points_;
+    const LightSpace& space_;
+};
+
+} // namespace
 
 void test_points(const World& world, const LightSpace& space, std::span<const glm::vec3> points,
-    std::span<const std::uint32_t> receivers, PointShadowMemory& memory, Tasks& tasks,
+    std::span<const std::uint32_t> receivers, ShadowMemory& memory, Tasks& tasks,
     std::span<std::uint8_t> shadowed)
 {
-    const auto move = [&](std::span<const glm::vec3> from, std::vector<glm::vec3>& to) {
-        to.resize(from.size());
-        tasks.for_ranges(from.size(), 16384, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) to[k] = to_light(space, from[k]);
-        });
-    };
-    move(world.position, memory.corner);
-    move(points, memory.point);
-    brute_shadows(
-        space, {memory.corner, world.scene->index}, memory.point, receivers, shadowed, tasks);
+    const std::size_t chunks = (points.size() + kChunk - 1) / kChunk;
+    resize(memory, chunks, kChunk, tasks.threads());
+    see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+    tasks.for_each(chunks, [&](std::size_t number, std::size_t worker) {
+        LightChunk& chunk = *memory.workers[worker];
+        const std::size_t first = number * kChunk;
+        chunk.count = std::min(kChunk, points.size() - first);
+        for (std::size_t k = 0; k < chunk.count; ++k) {
+            const glm::vec3 d = to_light(space, points[first + k]);
+            chunk.x[k] = d.x, chunk.y[k] = d.y, chunk.z[k] = d.z;
+            chunk.id[k] = std::uint32_t(first + k);
+            chunk.item[k] = receivers.empty() ? kNoItem : receivers[first + k];
+        }
+        see_points(
+            space, chunk, number * chunk_room(kChunk), memory.samples, memory.parts[number]);
+        std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
+    });
+    test_chunks(GivenPoints(points, memory.mesh.space), memory, tasks);
+    std::copy_n(memory.shadowed.data(), points.size(), shadowed.data());
 }
 
 } // namespace firsthit

@@ -1,0 +1,138 @@
+// exact_shadows.cpp - which lights reach what the eye sees.
+#include "shadow/exact_shadows.h"
+
+#include "hits/hit_position.h"
+#include "shadow/collect_hits.h"
+
+#include <bit>
+#include <cstring>
+
+namespace firsthit {
+namespace {
+
+/// The points behind the ids: number of a sample in all tiles.
+class HitPoints : public LightPoints {
+  public:
+    HitPoints(std::span<const HitTile> tiles, const LightSpace& space) : tiles_(tiles), space_(space)
+    {
+    }
+
+    glm::vec3 in_light_space(std::uint32_t id) const override
+    {
+        const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
+        const HitTile& tile = tiles_[id / samples];
+        const std::uint32_t at = id % samples, block = at / kBlockSamples;
+        const std::uint32_t blocks_x = size / kBlock;
+        const int k = int(at % kBlockSamples);
+        const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
+                    y = float(block / blocks_x * kBlock) + float(block_y(k));
+        return to_light(space_, hit_position(tile.frame, x, y, tile.t[at]));
+    }
+
+  private:
+    std::span<const HitTile> tiles_;
+    const LightSpace& space_;
+};
+
+Corners eye_corners(const ViewMemory& view, std::uint32_t triangle)
+{
+    const glm::uvec3& c = view.index[triangle];
+    return {glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
+}
+
+/// The samples whose item's plane has the light on the eye's side, a bit each.
+void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
+    std::size_t blocks, std::uint64_t* facing)
+{
+    Effort effort;
+    std::fill_n(facing, blocks, std::uint64_t(0));
+    for (const HitRun& run : hits.runs) {
+        const int eye = volume_sign(eye_corners(view, run.item), effort);
+        if (eye != 0 && eye == light_side(mesh.space, mesh.corners(run.item), effort))
+            facing[run.block] |= run.samples;
+    }
+}
+
+/// Takes the samples that are shadowed out of the words.
+void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint64_t* words)
+{
+    for (std::size_t block = 0; block < blocks; ++block) {
+        if (words[block] == 0) continue;
+        const std::uint8_t* bytes = shadowed + block * kBlockSamples;
+        for (int k = 0; k < kBlockSamples; k += 8) {
+            std::uint64_t eight;
+            std::memcpy(&eight, bytes + k, 8); // each byte 0 or 1: gather their bits
+            words[block] &= ~((eight * 0x0102040810204080u >> 56) << k);
+        }
+    }
+}
+
+} // namespace
+
+void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads)
+{
+    memory.samples.resize(chunks * chunk_room(points_a_chunk));
+    if (memory.parts.size() < chunks) memory.parts.resize(chunks);
+    memory.ranges.resize(chunks);
+    memory.shadowed.resize(chunks * points_a_chunk);
+    while (int(memory.workers.size()) < threads)
+        memory.workers.push_back(std::make_unique<LightChunk>());
+    for (const auto& worker : memory.workers) worker->reserve(points_a_chunk);
+}
+
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
+{
+    const std::size_t chunks = memory.ranges.size();
+    for (std::size_t face = 0; face < kLightFaces; ++face) {
+        SampleBounds bounds;
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < chunks; ++k) {
+            const FaceParts& parts = memory.parts[k];
+            memory.ranges[k] = parts.range[face];
+            if (parts.range[face].count == 0) continue;
+            bounds.add(parts.bounds[face]);
+            count += parts.range[face].count;
+        }
+        if (count == 0) continue;
+        see_through_face(
+            light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
+        test_face(memory.mesh, memory.samples, memory.ranges.span(), bounds, points,
+            memory.irregular, tasks, memory.shadowed.span());
+    }
+}
+
+void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit, ShadowEffort& effort)
+{
+    const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
+    lit.tiles = tiles.size();
+    lit.blocks = samples / kBlockSamples;
+    lit.words.resize(world.lights.size() * lit.tiles * lit.blocks);
+    resize(memory, tiles.size(), samples, tasks.threads());
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const LightSpace space = light_space(world.lights[l], view.pencil.eye);
+        see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
+            std::uint64_t* words = lit.of(l, tile);
+            find_facing(view, memory.mesh, tiles[tile], lit.blocks, words);
+            LightChunk& chunk = *memory.workers[worker];
+            collect_hits(tiles[tile], words, space, std::uint32_t(tile * samples), chunk);
+            see_points(
+                space, chunk, tile * chunk_room(samples), memory.samples, memory.parts[tile]);
+            std::memset(memory.shadowed.data() + tile * samples, 0, samples);
+        });
+        test_chunks(HitPoints(tiles, memory.mesh.space), memory, tasks);
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
+            remove_shadowed(
+                memory.shadowed.data() + tile * samples, lit.blocks, lit.of(l, tile));
+        });
+        for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+            for (const SampleRange& range : memory.parts[tile].range) effort.points += range.count;
+    }
+    for (const auto& worker : memory.irregular.workers) {
+        effort.counts.add(worker->leaf.counts);
+        worker->leaf.counts = {};
+    }
+}
+
+} // namespace firsthit

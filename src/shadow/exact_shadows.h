@@ -1,0 +1,64 @@
+// exact_shadows.h - which lights reach what the eye sees: for every hit and light the answer of a
+// shadow ray.
+#pragma once
+
+#include "base/tasks.h"
+#include "hits/hit_tile.h"
+#include "visibility/irregular_zbuffer.h"
+#include "visibility/see_points.h"
+#include "visibility/view_memory.h"
+
+#include <firsthit/scene.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace firsthit {
+
+/// Where the time went, in milliseconds of all threads together, and what it took.
+struct ShadowEffort {
+    std::uint64_t points = 0; // hits that a light might reach
+    ShadowCounts counts;
+};
+
+/// Kept from frame to frame.
+struct ShadowMemory {
+    LightMesh mesh;
+    IrregularMemory irregular;
+    IrregularSamples samples;         // (chunks, chunk_room)
+    std::vector<FaceParts> parts;     // (chunks)
+    Buffer<SampleRange> ranges;       // (chunks) of one face
+    Buffer<std::uint8_t> shadowed;    // (points) of one light
+    std::vector<std::unique_ptr<LightChunk>> workers;
+};
+
+/// Room for what the workers need.
+void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
+
+/// Tests the samples of all chunks: memory.shadowed of those that are. memory.mesh, samples and
+/// parts are filled in.
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks);
+
+/// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
+/// a tile's light belongs to its block k.
+struct LitBits {
+    Buffer<std::uint64_t> words; // (lights, tiles, blocks)
+    std::size_t tiles = 0;
+    std::size_t blocks = 0; // of a tile
+
+    std::uint64_t* of(std::size_t light, std::size_t tile)
+    {
+        return words.data() + (light * tiles + tile) * blocks;
+    }
+};
+
+/// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
+/// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle
+/// shadows it (exact/shadow_ray.h).
+/// tiles  of one picture part, all of one size; view is what they were resolved from
+void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit, ShadowEffort& effort);
+
+} // namespace firsthit

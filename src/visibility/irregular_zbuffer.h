@@ -1,0 +1,47 @@
+// irregular_zbuffer.h - which points can a light not see? Triangles are rasterised over the points
+// as the light sees them, wherever these are: no ray is shot and no tree is built.
+//
+// The points of one face are sorted into the cells of a grid, and triangles into the same cells. A
+// cell with many points is divided again, so that points that crowd together cost little more than
+// others. In a cell, every group of sixteen points meets the triangles whose box touches it.
+//
+// source  Johnson et al. 2005, "The Irregular Z-Buffer: Hardware Acceleration for Irregular Data
+//         Structures", ACM Transactions on Graphics 24(4); Aila and Laine 2004, "Alias-Free Shadow
+//         Maps", Eurographics Symposium on Rendering
+#pragma once
+
+#include "visibility/irregular_cells.h"
+#include "visibility/irregular_leaf.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace firsthit {
+
+/// How often a cell may be divided again.
+inline constexpr int kCellLevels = 6;
+
+/// One worker's memory.
+struct CellWorker {
+    LeafMemory leaf;
+    std::array<IrregularCells, kCellLevels> level;
+};
+
+/// Kept from frame to frame.
+struct IrregularMemory {
+    IrregularCells cells;
+    std::vector<std::unique_ptr<CellWorker>> workers;
+    Buffer<SampleRange> triangle_ranges;
+    Tasks serial{1};
+};
+
+/// Tests the samples of one face against the triangles that see_through_face found for the same
+/// bounds: shadowed[id] = 1 for the samples that are shadowed. Adds to the workers' counts.
+/// ranges  of `samples`; no two hold the same id
+/// bounds  of all of them
+void test_face(const LightMesh& mesh, const IrregularSamples& samples,
+    std::span<const SampleRange> ranges, const SampleBounds& bounds, const LightPoints& points,
+    IrregularMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed);
+
+} // namespace firsthit
