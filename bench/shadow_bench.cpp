@@ -12,7 +12,7 @@
 #include "scene/pose.h"
 #include "shadow/collect_hits.h"
 #include "shadow/exact_shadows.h"
-#include "shadow/find_facing.h"
+#include "shadow/find_receivers.h"
 
 #include <firsthit/firsthit.h>
 
@@ -127,8 +127,10 @@ void measure(const std::string& argument, const Options& options)
         chunks.push_back(std::make_unique<LightChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
-        find_facing(memory.shadows.mesh, memory.tiles[tile], chosen);
-        collect_hits(memory.tiles[tile], space, nullptr, std::uint32_t(tile * samples),
+        TileReceivers receivers;
+        receivers.resize(samples);
+        find_receivers(memory.shadows.mesh, memory.tiles[tile], chosen, receivers);
+        collect_hits(memory.tiles[tile], receivers, space, nullptr, std::uint32_t(tile * samples),
             chosen.data(), *chunks.back());
     }
 

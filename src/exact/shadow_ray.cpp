@@ -17,9 +17,9 @@ Corners pencil_corners(const LightSpace& space, const Corners& c)
     return {vec3(c[0].x, c[0].y, 1), vec3(c[1].x, c[1].y, 1), vec3(c[2].x, c[2].y, 1)};
 }
 
-/// facing * N . (d - v0) > margin * |N|, by expansions. N and N . v0 are sums over the edges of
-/// a x b and of the triple product, whose products of two floats are exact in double.
-bool exactly_behind(const Corners& c, int facing, const vec3& d, float margin)
+/// facing * N . (d - v0) > (margin of the point + margin of the corners) * |N|, by expansions. N is
+/// the sum of a x b over the edges, whose products of two floats are exact in double.
+bool exactly_behind(const Corners& c, int facing, const vec3& d, float of_point, float of_corners)
 {
     Expansion<6> n[3];
     for (int k = 0; k < 3; ++k) {
@@ -30,18 +30,21 @@ bool exactly_behind(const Corners& c, int facing, const vec3& d, float margin)
             n[axis].add(-(double(a[j]) * double(b[i])));
         }
     }
-    Expansion<108> height;
+    Expansion<144> height; // 3 axes, 4 factors, 6 components, 2 each
     for (int axis = 0; axis < 3; ++axis) {
         height.add_scaled(n[axis], double(facing) * double(d[axis]));
         height.add_scaled(n[axis], -double(facing) * double(c[0][axis]));
-        height.add_scaled(n[axis], -double(margin) * n[axis].sign());
+        height.add_scaled(n[axis], -double(of_point) * n[axis].sign());
+        height.add_scaled(n[axis], -double(of_corners) * n[axis].sign());
     }
     return height.sign() > 0;
 }
 
 /// The same in doubles first.
-bool is_behind(const Corners& c, int facing, const vec3& d, float margin, Effort& effort)
+bool is_behind(const Corners& c, int facing, const vec3& d, float of_point, Effort& effort)
 {
+    const float of_corners = corner_margin(c);
+    const double margin = double(of_point) + double(of_corners);
     const glm::dvec3 v0(c[0]), e1 = glm::dvec3(c[1]) - v0, e2 = glm::dvec3(c[2]) - v0,
                                h = glm::dvec3(d) - v0;
     double height = 0, size = 0, length = 0;
@@ -53,12 +56,12 @@ bool is_behind(const Corners& c, int facing, const vec3& d, float margin, Effort
         length += std::abs(n);
         // Of h: three roundings in n's terms, its own, a difference, a product, two sums; of the
         // margin's side: as many.
-        size += n_size * (std::abs(h[axis]) + double(margin));
+        size += n_size * (std::abs(h[axis]) + margin);
     }
-    const double ahead = facing * height - double(margin) * length;
+    const double ahead = facing * height - margin * length;
     if (std::abs(ahead) > 16 * kUlp * size) return ahead > 0;
     ++effort.exact_calls;
-    return exactly_behind(c, facing, d, margin);
+    return exactly_behind(c, facing, d, of_point, of_corners);
 }
 
 } // namespace
@@ -75,7 +78,8 @@ LightSpace light_space(const Light& light, const glm::dvec3& eye)
         space.reach = float(largest(light.position) + largest(eye));
         return space;
     }
-    const glm::dvec3 z = glm::normalize(light.direction);
+    // In two steps: the squares of the first would under- or overflow.
+    const glm::dvec3 z = glm::normalize(light.direction / largest(light.direction));
     // Across: away from the axis that the light is nearest to, so that axes stay axes.
     const glm::dvec3 size = glm::abs(z);
     glm::dvec3 away(0);
@@ -84,6 +88,16 @@ LightSpace light_space(const Light& light, const glm::dvec3& eye)
     space.axes = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
     space.reach = float(largest(eye));
     return space;
+}
+
+Receiver receiver_of(const Corners& c, int side)
+{
+    if (side == 0) return {};
+    const glm::dvec3 e1 = glm::dvec3(c[1]) - glm::dvec3(c[0]),
+                     e2 = glm::dvec3(c[2]) - glm::dvec3(c[0]), n = glm::cross(e1, e2);
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    if (largest == 0) return {};
+    return {vec3(n / (-side * largest)), corner_margin(c)};
 }
 
 bool is_shadowed(const LightSpace& space, const Corners& c, const vec3& d, Effort& effort)

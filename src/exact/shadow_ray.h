@@ -8,13 +8,25 @@
 // -infinity through (d.x, d.y): the same predicates with 1 in the place of z say which triangles it
 // hits.
 //
-//   shadowed  iff the ray hits, and d lies behind the triangle's plane by more than its margin:
-//             facing * N . (d - v0) > margin * (|N.x| + |N.y| + |N.z|)
+//   shadowed  iff the ray hits, and d lies behind the triangle's plane by more than both margins:
+//             facing * N . (d - v0) > (shadow_margin(d) + corner_margin) * (|N.x| + |N.y| + |N.z|)
 //
-// The margin is as large as the roundings on the way to d, and nothing else: without it a point
-// would now and then be shadowed by a neighbour of the triangle that it lies on, or by one in the
-// same plane. It is a distance from the plane, not along the ray, so grazing light needs no more of
-// it. Everything is what real arithmetic says of the floats.
+// The margins are as large as the roundings on the way to d and to the corners, and nothing else:
+// without them a point would now and then be shadowed by a neighbour of the triangle that it lies
+// on, or by one in the same plane. The plane of a large triangle is off by as much as its farthest
+// corner, also near the light. Margins are distances from the plane, not along the ray, so grazing
+// light needs no more of them.
+//
+// A point that is known to lie on a triangle is first moved off its plane, towards the light, by
+// half its margins (lifted): roundings may have put it behind, where a ray that grazes the triangle
+// would enter the surface through the next one, far above the point if that is steeper.
+//
+//        light .                      ____ the surface
+//                 '  .  ___....---'''
+//                  ___':-  -  -  -  -  x     a point too low, and its ray
+//                 /
+//
+// Everything is what real arithmetic says of the floats.
 #pragma once
 
 #include "exact/hit.h"
@@ -54,11 +66,39 @@ inline glm::vec3 to_light(const LightSpace& space, const glm::vec3& p)
     return {row(0), row(1), row(2)};
 }
 
-/// How far behind a plane the point has to lie. In units of the light's space.
+inline float largest_coordinate(const glm::vec3& d)
+{
+    return std::max(std::max(std::abs(d.x), std::abs(d.y)), std::abs(d.z));
+}
+
+/// How far behind a plane the point has to lie because of its own roundings. In units of the
+/// light's space.
 inline float shadow_margin(const LightSpace& space, const glm::vec3& d)
 {
-    const float largest = std::max(std::max(std::abs(d.x), std::abs(d.y)), std::abs(d.z));
-    return kShadowMargin * (2 * largest + space.reach);
+    return kShadowMargin * (2 * largest_coordinate(d) + space.reach);
+}
+
+/// How much farther because of the triangle's: its corners in the light's space.
+inline float corner_margin(const Corners& c)
+{
+    return kShadowMargin * std::max(std::max(largest_coordinate(c[0]), largest_coordinate(c[1])),
+                               largest_coordinate(c[2]));
+}
+
+/// A triangle as the place of points.
+struct Receiver {
+    glm::vec3 away{0}; // from its plane to the light's side; largest coordinate 1, or all 0
+    float margin = 0;  // corner_margin
+};
+
+/// side  light_side of the corners; 0 lifts nothing
+Receiver receiver_of(const Corners& c, int side);
+
+/// The point d of the triangle, moved off its plane.
+inline glm::vec3 lifted(const LightSpace& space, const glm::vec3& d, const Receiver& receiver)
+{
+    const float height = 0.5f * (shadow_margin(space, d) + receiver.margin);
+    return d + receiver.away * height;
 }
 
 /// Whether a point can be shadowed at all: finite, and not where the light is.

@@ -37,8 +37,23 @@ HWY_INLINE real3 to_light(const LightSpace& space, real3 p)
     return real3(load(x), load(y), load(z));
 }
 
-void collect(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
-    std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk)
+/// lifted (exact/shadow_ray.h), the same bits.
+HWY_INLINE real3 lifted(
+    const LightSpace& space, real3 d, const TileReceivers& receivers, std::size_t at)
+{
+    const RealTag f;
+    const auto size = [](real v) { return real(hn::Abs(v.lanes)); };
+    const real largest(hn::Max(hn::Max(size(d.x).lanes, size(d.y).lanes), size(d.z).lanes));
+    const real margin = real(kShadowMargin) * (real(2.0f) * largest + real(space.reach));
+    const real height(
+        hn::Mul(hn::Set(f, 0.5f), (margin + load(receivers.margin.data() + at)).lanes));
+    return d + real3(load(receivers.x.data() + at), load(receivers.y.data() + at),
+                   load(receivers.z.data() + at)) *
+                   height;
+}
+
+void collect(const HitTile& hits, const TileReceivers& receivers, const LightSpace& space,
+    const SpotCone* cone, std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk)
 {
     const RealTag d;
     const hn::RebindToUnsigned<RealTag> du;
@@ -53,12 +68,13 @@ void collect(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
             if (lanes == 0) continue;
             const std::size_t at = std::size_t(block) * kBlockSamples + std::size_t(first);
             const real3 p = hit_position(rays.eye, ray_direction(rays, first), load(hits.t + at));
-            const real3 q = to_light(space, p);
+            real3 q = to_light(space, p);
             if (cone) {
                 const std::uint64_t inside = bits_of_truth(in_cone(*cone, q));
                 chosen[block] &= ~((lanes & ~inside) << first);
                 lanes &= inside;
             }
+            q = lifted(space, q, receivers, at);
             const auto mask = truth_of_bits(lanes).lanes;
             const auto numbers = hn::RebindMask(du, mask);
             hn::CompressStore(q.x.lanes, mask, d, chunk.x.data() + next);
@@ -90,10 +106,10 @@ namespace firsthit {
 HWY_EXPORT(collect);
 HWY_EXPORT(unpack);
 
-void collect_hits(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
-    std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk)
+void collect_hits(const HitTile& hits, const TileReceivers& receivers, const LightSpace& space,
+    const SpotCone* cone, std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk)
 {
-    HWY_DYNAMIC_DISPATCH(collect)(hits, space, cone, first_id, chosen, chunk);
+    HWY_DYNAMIC_DISPATCH(collect)(hits, receivers, space, cone, first_id, chosen, chunk);
 }
 
 void unpack_bits(std::span<const std::uint64_t> words, float* floats)

@@ -3,6 +3,7 @@
 
 #include "hits/hit_tile.h"
 #include "hits/spot_cone.h"
+#include "shadow/find_receivers.h"
 #include "visibility/see_points.h"
 
 #include <cstdint>
@@ -11,12 +12,12 @@
 namespace firsthit {
 
 /// Writes the points of the chosen samples into the chunk: the bits of hits/hit_position.h, moved
-/// by to_light.
+/// by to_light and lifted off their receivers.
 /// cone      of a spot, else null
 /// first_id  of the tile's first sample
 /// chosen    (blocks) a bit for each sample; all have an item. Those outside of the cone are cleared
-void collect_hits(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
-    std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk);
+void collect_hits(const HitTile& hits, const TileReceivers& receivers, const LightSpace& space,
+    const SpotCone* cone, std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk);
 
 /// floats[k] = bit k of the words, 0 or 1.
 void unpack_bits(std::span<const std::uint64_t> words, float* floats);

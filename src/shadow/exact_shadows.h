@@ -5,6 +5,7 @@
 #include "base/tasks.h"
 #include "hits/hit_tile.h"
 #include "hits/lit_tile.h"
+#include "shadow/find_receivers.h"
 #include "visibility/irregular_zbuffer.h"
 #include "visibility/see_points.h"
 
@@ -27,6 +28,12 @@ struct ShadowEffort {
     ShadowCounts counts;
 };
 
+/// What one worker collects.
+struct ShadowWorker {
+    TileReceivers receivers;
+    LightChunk chunk;
+};
+
 /// Kept from frame to frame.
 struct ShadowMemory {
     LightMesh mesh;
@@ -35,7 +42,7 @@ struct ShadowMemory {
     std::vector<FaceParts> parts;    // (chunks)
     Buffer<SamplePatch> patches;     // (chunks) of one face
     Buffer<std::uint8_t> shadowed;   // (points) of one light
-    std::vector<std::unique_ptr<LightChunk>> workers;
+    std::vector<std::unique_ptr<ShadowWorker>> workers;
     ShadowEffort effort; // so far; take_effort moves it away
 };
 

@@ -63,16 +63,17 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
         std::fill_n(counts, bins, 0u);
         for (const SampleRange& range : shares.of(ranges, share))
             for (std::size_t k = range.first; k < range.first + range.count; ++k)
-                for_bins(k, [&](std::size_t bin) { ++counts[bin]; });
+                for_bins(k, [=](std::size_t bin) { ++counts[bin]; });
     });
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
     if (total > kManyCopies + 4 * from.size() && bins > 1) return false;
     out.triangles.resize(total, total / 4 + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
+        SeenTriangle* to = out.triangles.data();
         for (const SampleRange& range : shares.of(ranges, share))
             for (std::size_t k = range.first; k < range.first + range.count; ++k)
-                for_bins(k, [&](std::size_t bin) { out.triangles[cursor[bin]++] = from[k]; });
+                for_bins(k, [=](std::size_t bin) { to[cursor[bin]++] = from[k]; });
     });
     return true;
 }

@@ -2,6 +2,7 @@
 #include "visibility/irregular_cells.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace firsthit {
 
@@ -22,6 +23,29 @@ std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint3
     start[bins] = std::uint32_t(next);
     return next;
 }
+
+namespace {
+
+/// Calls f(k, length) for runs of samples in one cell: sixteen at a time, as neighbours mostly are,
+/// else one by one.
+template <class F>
+void for_runs(const std::uint16_t* cell, std::size_t count, const F& f)
+{
+    constexpr std::size_t kRun = 16;
+    std::size_t k = 0;
+    for (; k + kRun <= count; k += kRun) {
+        std::uint64_t four[4];
+        std::memcpy(four, cell + k, sizeof four);
+        const std::uint64_t same = cell[k] * 0x0001000100010001u;
+        if (((four[0] ^ same) | (four[1] ^ same) | (four[2] ^ same) | (four[3] ^ same)) == 0)
+            f(k, kRun);
+        else
+            for (std::size_t i = k; i < k + kRun; ++i) f(i, std::size_t(1));
+    }
+    for (; k < count; ++k) f(k, std::size_t(1));
+}
+
+} // namespace
 
 CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells)
 {
@@ -62,16 +86,24 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
         for (const SampleRange& range : shares.of(ranges, share)) {
             std::uint16_t* cell = &cells.cell_of[range.first];
             place_samples(grid, from.subspan(range.first, range.count), cell);
-            for (std::size_t k = 0; k < range.count; ++k) ++counts[cell[k]];
+            for_runs(cell, range.count, [&](std::size_t k, std::size_t length) {
+                counts[cell[k]] += std::uint32_t(length);
+            });
         }
     });
     const std::uint64_t total = start_bins(shares.count, count, cells.cursor, cells.sample_start);
     cells.samples.resize(total, total / 4 + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &cells.cursor[share * count];
-        for (const SampleRange& range : shares.of(ranges, share))
-            for (std::size_t k = range.first; k < range.first + range.count; ++k)
-                cells.samples[cursor[cells.cell_of[k]]++] = from[k];
+        for (const SampleRange& range : shares.of(ranges, share)) {
+            const std::uint16_t* cell = &cells.cell_of[range.first];
+            const IrregularSample* sample = &from[range.first];
+            for_runs(cell, range.count, [&](std::size_t k, std::size_t length) {
+                std::uint32_t& at = cursor[cell[k]];
+                std::memcpy(&cells.samples[at], sample + k, length * sizeof(IrregularSample));
+                at += std::uint32_t(length);
+            });
+        }
     });
 }
 
@@ -84,11 +116,17 @@ bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRa
         place_triangles(cells.grid, cells.bounds, from.subspan(range.first, range.count),
             &cells.rect_of[range.first]);
     });
-    const auto for_cells = [&](std::size_t k, const auto& f) {
-        const CellRect rect = cells.rect_of[k];
-        for (int row = rect.row0; row <= rect.row1; ++row)
-            for (int column = rect.column0; column <= rect.column1; ++column)
-                f(std::size_t(row * cells.grid.columns + column));
+    const std::size_t columns = std::size_t(cells.grid.columns);
+    const CellRect* rects = cells.rect_of.data();
+    const auto for_cells = [=](std::size_t k, const auto& f) {
+        const CellRect rect = rects[k];
+        if (rect.column0 == rect.column1 && rect.row0 == rect.row1) { // most small triangles
+            f(rect.row0 * columns + rect.column0);
+            return;
+        }
+        for (std::size_t row = rect.row0; row <= rect.row1; ++row)
+            for (std::size_t column = rect.column0; column <= rect.column1; ++column)
+                f(row * columns + column);
     };
     return bin_seen(from, ranges, std::size_t(cells.grid.cells()), for_cells, cells.seen, tasks);
 }

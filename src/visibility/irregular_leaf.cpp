@@ -58,6 +58,11 @@ void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples,
     }
     leaf.least_margin = double(kShadowMargin) * least * (1 - 0x1p-20);
     leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20);
+    // And of the corners: corner_margin, over c as well.
+    const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
+                 most_w = directional ? 1 : double(leaf.largest_w);
+    leaf.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
+    leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
 /// Copies the samples as offsets from the middle, whole groups. What fills up the last group is

@@ -20,13 +20,14 @@ bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t t
 bool bin_patches(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
     const SampleBounds& all, PatchMemory& memory, Tasks& tasks)
 {
-    const BoxSlots slots(all);
     const std::size_t count = memory.patches.size();
+    const BoxSlots slots(all);
     memory.tables.resize((count + kTableBoxes - 1) / kTableBoxes);
     for (std::size_t k = 0; k < memory.tables.size(); ++k) {
         OverlapTable& table = memory.tables[k];
         table = {};
-        const std::size_t first = k * kTableBoxes, last = std::min(count, first + kTableBoxes);
+        const std::size_t first = k * kTableBoxes,
+                          last = std::min<std::size_t>(count, first + kTableBoxes);
         for (std::size_t patch = first; patch < last; ++patch)
             table.add(int(patch - first), memory.patches[patch].bounds, slots);
         table.finish();
@@ -35,7 +36,8 @@ bool bin_patches(std::span<const SeenTriangle> from, std::span<const SampleRange
         const SeenTriangle& seen = from[k];
         const SeenSlots reach(seen, slots);
         for (std::size_t table = 0; table < memory.tables.size(); ++table) {
-            for (std::uint64_t rest = memory.tables[table].of(reach); rest; rest &= rest - 1) {
+            std::uint64_t rest = memory.tables[table].of(reach);
+            for (; rest; rest &= rest - 1) {
                 const std::size_t patch = table * kTableBoxes + std::size_t(std::countr_zero(rest));
                 if (may_shadow(seen, memory.patches[patch].bounds)) f(patch);
             }

@@ -38,18 +38,10 @@ inline LightFace light_face(bool directional, int number)
         .sign = number % 2 ? -1.0f : 1.0f};
 }
 
-/// A point as its face sees it. x and y are within 1 for a point light.
+/// A point as its face sees it: one rounding each, so what lies between two points is seen between
+/// them. x and y of a point light's samples are within 1.
 struct SeenPoint {
     float x, y, w;
 };
-
-/// One rounding each, so the order of points is kept: what lies between two points is seen between
-/// them.
-inline SeenPoint see(const LightFace& face, const glm::vec3& d)
-{
-    const glm::vec3 p = face.seen_from(d);
-    if (face.directional) return {p.x, p.y, -p.z};
-    return {p.x / p.z, p.y / p.z, 1.0f / p.z};
-}
 
 } // namespace firsthit

@@ -4,20 +4,10 @@
 #include "visibility/careful_box.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace firsthit {
 namespace {
-
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-SeenPoint see_vertex(const LightFace& face, const glm::vec3& p)
-{
-    if (!usable(p)) return {kNone, 0, 0};
-    if (!face.directional && !(face.sign * p[face.axis_c] > 0)) return {kNone, 0, 0};
-    return see(face, p);
-}
 
 /// A triangle with a corner behind the face, or with one that makes it invisible.
 bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box)
@@ -81,7 +71,7 @@ void see_through_face(
 {
     mesh.face = face;
     tasks.for_ranges(mesh.corner.size(), kLightRange, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v) mesh.seen[v] = see_vertex(face, mesh.corner[v]);
+        see_vertices(face, &mesh.corner[first], last - first, &mesh.seen[first]);
     });
     tasks.for_each(mesh.range_count.size(),
         [&](std::size_t range, std::size_t) { see_range(range, bounds, mesh); });

@@ -49,6 +49,10 @@ struct LightMesh {
 /// Triangles of one range.
 inline constexpr std::size_t kLightRange = 8192;
 
+/// Vertices as a face sees them: x is no number for those that are behind it or unusable.
+void see_vertices(
+    const LightFace& face, const glm::vec3* corner, std::size_t count, SeenPoint* seen);
+
 /// Moves all vertices into the light's space.
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);

@@ -97,9 +97,12 @@ unsigned faces_of(const LightChunk& chunk)
     const Reals d;
     unsigned faces = 0;
     for (std::size_t k = 0; k < chunk.count; k += hn::Lanes(d)) {
-        const Points p = load_points(chunk, k);
+        Points p = load_points(chunk, k);
         for (int face = 0; face < kLightFaces; ++face)
-            if (!(faces >> face & 1) && !hn::AllFalse(d, on_face(p, face))) faces |= 1u << face;
+            if (faces >> face & 1) p.valid = hn::AndNot(on_face(p, face), p.valid);
+        if (hn::AllFalse(d, p.valid)) continue; // all on faces that are known, as mostly
+        for (int face = 0; face < kLightFaces; ++face)
+            if (!hn::AllFalse(d, on_face(p, face))) faces |= 1u << face;
     }
     return faces;
 }

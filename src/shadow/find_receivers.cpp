@@ -1,0 +1,147 @@
+// find_receivers.cpp - which hits have the light on the side of their surface that the eye sees?
+//
+// Triangle by triangle of the tile, several at once; the bits are those of light_side and
+// receiver_of.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shadow/find_receivers.cpp"
+#include "base/simd.h"
+
+#include "base/simd_real-inl.h"
+#include "shadow/find_receivers.h"
+#include "visibility/gather_corners.h"
+#include "visibility/set_up-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+using Doubles = hn::CappedTag<double, 8>;
+using Floats = hn::Rebind<float, Doubles>;
+
+constexpr std::size_t kRuns = 64; // together
+
+/// Runs' items in the light's space.
+struct RunBatch {
+    alignas(64) std::uint32_t item[kRuns];
+    alignas(64) float eye_side[kRuns];
+    alignas(64) float corner[9][kRuns];
+    alignas(64) double volume[kRuns]; // 0 where its sign is not certain
+    alignas(64) float away[3][kRuns]; // of the receiver, if the light is on the eye's side
+    alignas(64) float margin[kRuns];
+};
+
+template <class V>
+HWY_INLINE V largest_of(const Vector3<V>& v)
+{
+    return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
+}
+
+void set_up(bool directional, std::size_t count, RunBatch& batch)
+{
+    const Doubles d;
+    const Floats f;
+    using V = hn::Vec<Doubles>;
+    using F = hn::Vec<Floats>;
+    const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        Vector3<F> narrow[3];
+        Vector3<V> v[3], pencil[3];
+        for (int k = 0; k < 3; ++k) {
+            const auto load = [&](int axis) { return hn::Load(f, batch.corner[3 * k + axis] + i); };
+            narrow[k] = {load(0), load(1), load(2)};
+            v[k] = {hn::PromoteTo(d, narrow[k].x), hn::PromoteTo(d, narrow[k].y),
+                hn::PromoteTo(d, narrow[k].z)};
+            pencil[k] = v[k];
+            if (directional) pencil[k].z = one;
+        }
+        const Vector3<V> m = cross(pencil[1], pencil[2]);
+        const V x = hn::Mul(pencil[0].x, m.x), y = hn::Mul(pencil[0].y, m.y),
+                z = hn::Mul(pencil[0].z, m.z);
+        const V volume = hn::Add(hn::Add(x, y), z);
+        const V size = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+        const auto certain = hn::Gt(hn::Abs(volume), hn::Mul(hn::Set(d, 8 * kUlp), size));
+        hn::Store(hn::IfThenElseZero(certain, volume), d, batch.volume + i);
+
+        const Vector3<V> n = cross(sub(v[1], v[0]), sub(v[2], v[0]));
+        const V largest = largest_of(n);
+        const V side = hn::PromoteTo(d, hn::Load(f, batch.eye_side + i));
+        const V divisor = hn::Mul(hn::Neg(side), largest);
+        const auto plane = hn::Gt(largest, zero);
+        const auto away = [&](const V& axis, float* to) {
+            hn::Store(
+                hn::DemoteTo(f, hn::IfThenElseZero(plane, hn::Div(axis, divisor))), f, to + i);
+        };
+        away(n.x, batch.away[0]), away(n.y, batch.away[1]), away(n.z, batch.away[2]);
+        const F corner =
+            hn::Max(hn::Max(largest_of(narrow[0]), largest_of(narrow[1])), largest_of(narrow[2]));
+        const F margin = hn::Mul(hn::Set(f, kShadowMargin), corner);
+        // No plane: no receiver.
+        const auto has_plane = hn::Ne(hn::DemoteTo(f, hn::IfThenElseZero(plane, one)), hn::Zero(f));
+        hn::Store(hn::IfThenElseZero(has_plane, margin), f, batch.margin + i);
+    }
+}
+
+/// Writes a run's receiver to its samples.
+HWY_INLINE void spread(
+    const HitRun& run, const RunBatch& batch, std::size_t i, TileReceivers& receivers)
+{
+    const std::size_t block = std::size_t(run.block) * kBlockSamples;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t lanes = lane_bits(run.samples, first);
+        if (lanes == 0) continue;
+        const truth chosen = truth_of_bits(lanes);
+        const std::size_t at = block + std::size_t(first);
+        store_where(chosen, batch.away[0][i], receivers.x.data() + at);
+        store_where(chosen, batch.away[1][i], receivers.y.data() + at);
+        store_where(chosen, batch.away[2][i], receivers.z.data() + at);
+        store_where(chosen, batch.margin[i], receivers.margin.data() + at);
+    }
+}
+
+void find(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> facing,
+    TileReceivers& receivers)
+{
+    std::fill(facing.begin(), facing.end(), std::uint64_t(0));
+    RunBatch batch{};
+    Effort effort;
+    for (std::size_t first = 0; first < hits.runs.size(); first += kRuns) {
+        const auto runs = hits.runs.subspan(first, std::min(kRuns, hits.runs.size() - first));
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            batch.item[i] = runs[i].item;
+            batch.eye_side[i] = runs[i].eye_side;
+        }
+        gather_corners(mesh, LightFace{}, int(runs.size()), batch.item, batch.corner);
+        set_up(mesh.space.directional, runs.size(), batch);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const HitRun& run = runs[i];
+            int side = batch.volume[i] > 0 ? 1 : -1;
+            if (batch.volume[i] == 0) [[unlikely]]
+                side = light_side(mesh.space, mesh.corners(run.item), effort);
+            if (side != run.eye_side) continue;
+            facing[run.block] |= run.samples;
+            spread(run, batch, i, receivers);
+        }
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(find);
+
+void find_receivers(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> facing,
+    TileReceivers& receivers)
+{
+    HWY_DYNAMIC_DISPATCH(find)(mesh, hits, facing, receivers);
+}
+
+} // namespace firsthit
+#endif

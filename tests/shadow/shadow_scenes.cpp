@@ -1,0 +1,495 @@
+// shadow_scenes.cpp - triangles, lights and eyes that break shadows which are only nearly right.
+#include "shadow/shadow_scenes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace firsthit::test {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+float uniform(std::mt19937& random, float low, float high)
+{
+    return std::uniform_real_distribution<float>(low, high)(random);
+}
+
+int whole(std::mt19937& random, int low, int high)
+{
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+vec3 random_point(std::mt19937& random, float half = 1)
+{
+    return {
+        uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
+}
+
+vec3 whole_point(std::mt19937& random, int half)
+{
+    return vec3(whole(random, -half, half), whole(random, -half, half), whole(random, -half, half));
+}
+
+/// Builds a world in units of about 1 around the origin; `finish` scales and moves it.
+struct Builder {
+    ShadowWorld& made;
+    std::mt19937& random;
+
+    void triangle(const vec3& a, const vec3& b, const vec3& c) { made.world.add(a, b, c); }
+    void quad(const vec3& a, const vec3& b, const vec3& c, const vec3& d)
+    {
+        triangle(a, b, c);
+        triangle(a, c, d);
+    }
+    /// n x n quads over points made by `point(i, j)`, i and j in [0, n]; vertices are shared.
+    template <class F>
+    void grid(int n, const F& point)
+    {
+        const auto first = std::uint32_t(made.world.world.position.size());
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) made.world.world.position.push_back(point(i, j));
+        const auto vertex = [&](int i, int j) { return first + std::uint32_t(j * (n + 1) + i); };
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                made.world.scene->index.push_back(
+                    {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+                made.world.scene->index.push_back(
+                    {vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+            }
+        }
+    }
+    void floor(float y = 0, float half = 3, int n = 6)
+    {
+        grid(n, [&](int i, int j) {
+            return vec3(
+                half * (2 * float(i) / float(n) - 1), y, half * (2 * float(j) / float(n) - 1));
+        });
+    }
+    void box(const vec3& low, const vec3& high)
+    {
+        const auto at = [&](int k) {
+            return vec3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
+        };
+        for (const auto& f :
+            {std::array{0, 1, 3, 2}, std::array{4, 6, 7, 5}, std::array{0, 4, 5, 1},
+                std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 5, 7, 3}})
+            quad(at(f[0]), at(f[1]), at(f[2]), at(f[3]));
+    }
+    void sphere(const vec3& middle, float radius, int n = 24)
+    {
+        const double step = std::numbers::pi / n;
+        grid(n, [&](int i, int j) {
+            const double a = 2 * step * (i % n), b = step * j;
+            const double ring = j % n == 0 ? 0 : std::sin(b);
+            return middle +
+                   radius * vec3(dvec3(ring * std::cos(a), std::cos(b), ring * std::sin(a)));
+        });
+    }
+    void light(const Light& l) { made.world.world.lights.push_back(l); }
+    void eye(const dvec3& eye, const dvec3& at = dvec3(0))
+    {
+        made.view.camera.eye = eye;
+        made.view.camera.direction = at - eye;
+    }
+    void some_lights()
+    {
+        light(point_light(dvec3(random_point(random, 2)) + dvec3(0, 3, 0)));
+        light(directional_light(dvec3(random_point(random)) - dvec3(0, 1.5, 0)));
+        light(spot_light({0.5, 3, 0.25}, {-0.1, -1, 0.1}, uniform(random, 0.2f, 1.2f)));
+    }
+};
+
+/// The finished world `factor` times as large, then moved.
+void transform(ShadowWorld& made, float factor, const vec3& offset)
+{
+    made.scale = factor;
+    for (vec3& p : made.world.world.position) p = p * factor + offset;
+    for (Light& l : made.world.world.lights)
+        l.position = l.position * double(factor) + dvec3(offset);
+    made.view.camera.eye = made.view.camera.eye * double(factor) + dvec3(offset);
+    made.view.camera.direction *= double(factor);
+}
+
+void box_on_floor(Builder& b)
+{
+    b.floor();
+    b.box({-0.5f, 0, -0.25f}, {0.5f, 0.75f, 0.5f});
+    b.sphere({1.2f, 0.4f, 0.3f}, 0.4f, 12);
+    b.light(point_light({1.7, 2.3, 1.1}));
+    b.light(directional_light({-1, -1.5, 0.5}));
+    b.light(spot_light({-1, 3, 1}, {0.3, -1, -0.3}, 0.5));
+    b.eye({2, 3, 4});
+}
+
+using Scenes = std::vector<ShadowScene>;
+
+template <class F>
+void add(Scenes& scenes, std::string name, F build)
+{
+    scenes.push_back({std::move(name), [build](ShadowWorld& made, std::mt19937& random) {
+                          Builder b{made, random};
+                          build(b);
+                      }});
+}
+
+void add_everyday(Scenes& scenes)
+{
+    add(scenes, "a box on a floor", box_on_floor);
+    add(scenes, "two spheres 4e-5 apart", [](Builder& b) {
+        b.sphere({0, -1, 0}, 1);
+        b.sphere({0, 1 + 4e-5f, 0}, 1);
+        b.light(point_light({0, 4, 0}));
+        b.light(point_light({1.5, 3.5, 0.5}));
+        b.light(directional_light({0, -1, 0}));
+        b.eye({0.5, -0.1, 2.5});
+    });
+    add(scenes, "light inside a closed box", [](Builder& b) {
+        b.box(vec3(-2), vec3(2));
+        for (int k = 0; k < 12; ++k) {
+            const vec3 p = random_point(b.random, 1.5f), half(uniform(b.random, 0.05f, 0.2f));
+            b.box(p - half, p + half);
+        }
+        b.light(point_light({0, 0, 0}));
+        b.light(point_light({0.3, -0.7, 1.9}));
+        b.light(spot_light({1.5, 1.5, -1.5}, {-1, -1, 1}, 0.7));
+        b.eye({-1.7, 1.6, 1.7}, {0.5, -0.5, -0.5});
+        b.made.view.camera.fov_y_rad = 1.8;
+    });
+    add(scenes, "a smooth ball where the light grazes", [](Builder& b) {
+        b.sphere(vec3(0), 1, 48);
+        b.light(directional_light({-1, -0.4, 0.1}));
+        b.light(point_light({3, 0.2, 1}));
+        b.eye({0, 1, 3});
+    });
+    add(scenes, "spots", [](Builder& b) {
+        b.floor();
+        for (int k = 0; k < 6; ++k) {
+            const vec3 p = random_point(b.random, 1.5f);
+            b.box(p + vec3(-0.2f, 1, -0.2f), p + vec3(0.2f, 1.2f, 0.2f));
+        }
+        for (const double outer : {0.01, 0.3, 1.0, 1.5})
+            b.light(spot_light({0.3, 2.9, -0.2}, {0.1, -1, 0.2}, outer));
+        b.light(spot_light({0, 3, 0}, {0, 1, 0}, 0.5)); // to the other side
+        b.eye({1, 5, 3});
+    });
+}
+
+void add_exact(Scenes& scenes)
+{
+    add(scenes, "coplanar receivers and occluders", [](Builder& b) {
+        // Points of x / 4 + z / 8 + y = 0 with few bits: exactly in one plane.
+        for (int k = 0; k < 120; ++k) {
+            const auto p = [&] {
+                const float x = float(whole(b.random, -32, 32)) / 16,
+                            z = float(whole(b.random, -32, 32)) / 16;
+                return vec3(x, -x / 4 - z / 8, z);
+            };
+            b.triangle(p(), p(), p());
+        }
+        b.light(point_light({0.5, 2, 0.25}));
+        b.light(directional_light({1, -2, 0.5}));
+        b.light(point_light({1, -0.25, 0})); // in the plane
+        b.eye({0.5, 3, 2});
+    });
+    add(scenes, "lights in the planes of triangles", [](Builder& b) {
+        b.floor(-1);
+        const vec3 light(0.5f, 2, 0.25f);
+        for (int k = 0; k < 60; ++k) {
+            const vec3 p = whole_point(b.random, 8) / 8.0f, q = whole_point(b.random, 8) / 8.0f;
+            const float off = k % 3 == 0 ? 0.0f : uniform(b.random, -1e-6f, 1e-6f);
+            b.triangle(p, q, light + 2.0f * (p - light) - (q - light) + vec3(0, off, 0));
+        }
+        b.quad({-1, 0, 0.25f}, {1, 0, 0.25f}, {1, 1, 0.25f}, {-1, 1, 0.25f});
+        b.light(point_light(light));
+        b.light(directional_light({0, -1, 0})); // in the plane of the wall
+        b.light(directional_light({1, -1, 0}));
+        b.eye({2, 3, 3});
+    });
+    add(scenes, "a light on a vertex", [](Builder& b) {
+        b.floor(-1);
+        for (int k = 0; k < 12; ++k)
+            b.triangle({0.25f, 1, 0.5f}, random_point(b.random), random_point(b.random));
+        b.light(point_light({0.25, 1, 0.5}));
+        b.light(point_light(dvec3(b.made.world.world.position[8])));
+        b.eye({2, 2, 3});
+    });
+    add(scenes, "a light in the surface that is seen", [](Builder& b) {
+        b.floor(0, 3, 7);
+        b.box({-0.5f, 0.25f, -0.5f}, {0.5f, 0.5f, 0.5f});
+        b.light(point_light({0.7, 0, 0.9}));
+        b.light(point_light({0.7, 1e-4, 0.9}));
+        b.light(point_light({0.1, 0.5, 0.2}));
+        b.eye({1, 2, 3});
+    });
+    add(scenes, "duplicates and permuted duplicates", [](Builder& b) {
+        for (int k = 0; k < 30; ++k) {
+            std::array<vec3, 3> p{
+                random_point(b.random), random_point(b.random), random_point(b.random)};
+            for (int copy = 0; copy < 4; ++copy) {
+                std::shuffle(p.begin(), p.end(), b.random);
+                b.triangle(p[0], p[1], p[2]);
+            }
+        }
+        std::shuffle(b.made.world.scene->index.begin(), b.made.world.scene->index.end(), b.random);
+        b.some_lights();
+        b.eye({0, 1, 4});
+    });
+    add(scenes, "vertices and edges on shadow rays", [](Builder& b) {
+        // The floor's corners, the light and what stands between have few bits: many exact zeros.
+        b.floor(-1, 4, 8);
+        for (int layer = 0; layer < 3; ++layer) {
+            const float t = 0.25f * float(layer + 1); // from the light (0, 3, 0) to the floor
+            b.grid(4, [&](int i, int j) {
+                return vec3(t * float(2 * i - 4), 3 - 4 * t, t * float(2 * j - 4));
+            });
+            for (int k = 0; k < 20; ++k) b.made.world.scene->index.pop_back();
+        }
+        b.light(point_light({0, 3, 0}));
+        b.light(directional_light({0, -1, 0}));
+        b.light(directional_light({1, -1, 0}));
+        b.light(directional_light({1, -2, 1}));
+        b.eye({0, 6, 5}, {0, -1, 0});
+    });
+    add(scenes, "whole coordinates", [](Builder& b) {
+        for (int k = 0; k < 150; ++k)
+            b.triangle(0.5f * whole_point(b.random, 3), 0.5f * whole_point(b.random, 3),
+                0.5f * whole_point(b.random, 3));
+        b.light(point_light({0, 3, 0}));
+        b.light(point_light({0.5, 0.5, 0.5}));
+        for (const auto& way : {dvec3(0, -1, 0), dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(1, 1, 1)})
+            b.light(directional_light(way));
+        b.eye({1, 2, 5});
+    });
+}
+
+void add_thin(Scenes& scenes)
+{
+    add(scenes, "fans of needles", [](Builder& b) {
+        b.floor(-1);
+        for (const vec3& hub : {vec3(0, 0.5f, 0), vec3(0.1f, 0.8f, -0.3f)}) {
+            const int n = 600;
+            const auto rim = [&](int k) {
+                const float a = 6.2831853f * float(k % n) / float(n);
+                return hub + 0.8f * vec3(std::cos(a), 0.1f * std::sin(7 * a), std::sin(a));
+            };
+            for (int k = 0; k < n; ++k) b.triangle(hub, rim(k), rim(k + 1));
+        }
+        b.some_lights();
+        b.light(directional_light({0, -1, 0}));
+        b.eye({1.5, 2, 2.5});
+    });
+    add(scenes, "slivers", [](Builder& b) {
+        b.floor(-1);
+        for (int k = 0; k < 300; ++k) {
+            const vec3 p = random_point(b.random), q = random_point(b.random);
+            b.triangle(p, q,
+                p + (q - p) * uniform(b.random, 0, 1) + vec3(uniform(b.random, -1e-5f, 1e-5f)));
+        }
+        b.some_lights();
+        b.eye({1, 2, 3});
+    });
+    add(scenes, "grazing floors", [](Builder& b) {
+        for (int k = 0; k < 4; ++k) {
+            const float tilt = 1e-4f * float(k);
+            b.grid(9, [&](int i, int j) {
+                const float x = float(i - 4) * 0.7f, z = float(j - 4) * 0.7f;
+                return vec3(x, tilt * x + 1e-5f * float(whole(b.random, 0, 3)), z);
+            });
+        }
+        b.box({-0.2f, 0, -0.2f}, {0.2f, 0.05f, 0.2f});
+        b.light(point_light({2.5, 1e-3, 0.3}));
+        b.light(directional_light({-1, -1e-4, 0.2}));
+        b.light(directional_light({-1, -1e-7, 0.2}));
+        b.eye({0.5, 0.4, 3.5});
+    });
+    add(scenes, "degenerate triangles", [](Builder& b) {
+        b.floor(-1);
+        for (int k = 0; k < 60; ++k) {
+            const vec3 p = random_point(b.random), q = random_point(b.random);
+            b.triangle(p, q, p);
+            b.triangle(p, p, p);
+            b.triangle(p, q, 0.5f * (p + q));
+        }
+        b.box({-0.3f, 0, -0.3f}, {0.3f, 0, 0.3f}); // flat
+        b.some_lights();
+        b.eye({1, 2, 3});
+    });
+    add(scenes, "layers a hair apart", [](Builder& b) {
+        for (int k = 0; k < 60; ++k) {
+            const float y = float(whole(b.random, -8, 8)) * 0x1p-19f;
+            const auto p = [&] {
+                return vec3(uniform(b.random, -2, 2), y, uniform(b.random, -2, 2));
+            };
+            b.triangle(p(), p(), p());
+        }
+        b.some_lights();
+        b.eye({1, 2, 3});
+    });
+}
+
+void add_wide(Scenes& scenes)
+{
+    add(scenes, "triangles all around the lights", [](Builder& b) {
+        for (int k = 0; k < 80; ++k)
+            b.triangle(
+                random_point(b.random, 2), random_point(b.random, 2), random_point(b.random, 2));
+        b.light(point_light({0, 0, 0}));
+        b.light(point_light(dvec3(random_point(b.random))));
+        b.light(spot_light({0, 0, 0}, dvec3(random_point(b.random)), 1.2));
+        b.light(directional_light(dvec3(random_point(b.random))));
+        b.eye({0, 0, 5});
+    });
+    add(scenes, "many small triangles", [](Builder& b) {
+        b.floor(-1);
+        for (int k = 0; k < 800; ++k) {
+            const vec3 p = random_point(b.random);
+            const auto near_p = [&] { return p + random_point(b.random, 0.08f); };
+            b.triangle(near_p(), near_p(), near_p());
+        }
+        b.some_lights();
+        b.eye({1, 2, 3});
+    });
+    add(scenes, "large triangles seen from near", [](Builder& b) {
+        const auto floor = [](float x, float z) { return vec3(x, 0.31f * x - 0.17f * z, z); };
+        b.quad(floor(-900, -900), floor(900, -900), floor(900, 900), floor(-900, 900));
+        b.quad(floor(-900, 900), floor(-900, -900), floor(900, -900), floor(900, 900));
+        b.light(point_light({0.1, 0.6, 0.2}));
+        b.light(directional_light({0.3, -1, 0.4}));
+        b.eye({0.3, 0.7, 0.2}, {0, 0, 0});
+    });
+    add(scenes, "huge and tiny together", [](Builder& b) {
+        b.triangle({-3e11f, -2, -3e11f}, {3e11f, -2, -3e11f}, {0, -2, 3e11f});
+        b.triangle({-3e5f, -1e6f, 1e5f}, {3e5f, 3e5f, 3e5f}, {0, 3e5f, -3e5f});
+        for (int k = 0; k < 150; ++k) {
+            const float size = std::pow(10.0f, uniform(b.random, -6, 1));
+            const vec3 p = random_point(b.random);
+            b.triangle(p + random_point(b.random, size), p + random_point(b.random, size),
+                p + random_point(b.random, size));
+        }
+        b.some_lights();
+        b.eye({0, 1, 4});
+    });
+    for (const float scale : {1e-20f, 1e-3f, 1e3f, 1e6f, 1e20f}) {
+        scenes.push_back({"a box on a floor at scale " + std::to_string(int(std::log10(scale))),
+            [scale](ShadowWorld& made, std::mt19937& random) {
+                Builder b{made, random};
+                box_on_floor(b);
+                transform(made, scale, vec3(0));
+            }});
+    }
+    scenes.push_back({"far from the origin", [](ShadowWorld& made, std::mt19937& random) {
+                          Builder b{made, random};
+                          box_on_floor(b);
+                          transform(made, 1, {4e4f, -2e4f, 7e3f});
+                      }});
+}
+
+} // namespace
+
+Light point_light(const dvec3& position)
+{
+    Light light;
+    light.position = position;
+    return light;
+}
+
+Light directional_light(const dvec3& direction)
+{
+    Light light;
+    light.kind = Light::Kind::directional;
+    light.direction = direction;
+    return light;
+}
+
+Light spot_light(const dvec3& position, const dvec3& direction, double outer_rad)
+{
+    Light light;
+    light.kind = Light::Kind::spot;
+    light.position = position;
+    light.direction = direction;
+    light.inner_rad = 0.5 * outer_rad;
+    light.outer_rad = outer_rad;
+    return light;
+}
+
+const std::vector<ShadowScene>& shadow_scenes()
+{
+    static const Scenes scenes = [] {
+        Scenes made;
+        add_everyday(made);
+        add_exact(made);
+        add_thin(made);
+        add_wide(made);
+        return made;
+    }();
+    return scenes;
+}
+
+ShadowWorld make_shadow_world(const ShadowScene& scene, unsigned seed)
+{
+    std::mt19937 random(seed);
+    ShadowWorld made;
+    made.view.width = made.view.height = kShadowSize;
+    scene.fill(made, random);
+    made.world.finish();
+    made.world.scene->lights = made.world.world.lights;
+    made.world.world.camera = made.view.camera;
+    return made;
+}
+
+ShadowPoints shadow_points(const ShadowWorld& made, std::size_t count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const World& world = made.world.world;
+    ShadowPoints result;
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto triangle = std::uint32_t(random() % world.scene->index.size());
+        const glm::uvec3 index = world.scene->index[triangle];
+        const vec3 a = world.position[index.x], b = world.position[index.y],
+                   c = world.position[index.z];
+        const vec3 light(world.lights[random() % world.lights.size()].position);
+        float u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        vec3 p = a + u * (b - a) + v * (c - a);
+        bool on = true;
+        switch (random() % 12) {
+        case 0:
+            p = a;
+            break;
+        case 1:
+            p = 0.5f * (a + b);
+            break;
+        case 2:
+            p = a + u * (b - a);
+            break;
+        case 3:
+            p += random_point(random, 1e-5f * made.scale), on = false;
+            break;
+        case 4:
+            p = light + uniform(random, 0, 1) * (p - light), on = false;
+            break;
+        case 5:
+            p = light + 2.0f * (p - light), on = false;
+            break;
+        case 6:
+            p += random_point(random, made.scale), on = false;
+            break;
+        case 7:
+            if (k % 16 == 0) p = light, on = false;
+            if (k % 16 == 1) p = vec3(NAN, 0, 0), on = false;
+            if (k % 16 == 2) p = vec3(0, 1e30f, 0), on = false;
+            break;
+        default:
+            break;
+        }
+        result.point.push_back(p);
+        result.receiver.push_back(on && random() % 4 ? triangle : kNoItem);
+    }
+    return result;
+}
+
+} // namespace firsthit::test
