@@ -5,6 +5,8 @@
 #include <firsthit/error.h>
 #include <firsthit/file.h>
 #include <firsthit/film.h>
+#include <firsthit/npy.h>
+#include <firsthit/occlusion.h>
 #include <firsthit/render.h>
 #include <firsthit/scene.h>
 #include <firsthit/view.h>

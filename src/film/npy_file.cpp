@@ -1,6 +1,9 @@
 // npy_file.cpp - writes NumPy arrays.
+#include "film/npy_header.h"
 #include "film/output_file.h"
 #include "film/picture_files.h"
+
+#include <firsthit/npy.h>
 
 #include <fmt/format.h>
 
@@ -10,30 +13,36 @@ namespace firsthit {
 
 void write_npy(const PlaneView& plane, const std::string& path)
 {
-    // source  NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays"
     static_assert(std::endian::native == std::endian::little);
     const bool items = !plane.item.empty();
     const std::string shape =
         plane.channels == 1
             ? fmt::format("({}, {})", plane.height, plane.width)
             : fmt::format("({}, {}, {})", plane.height, plane.width, plane.channels);
-    std::string header = fmt::format(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", items ? "<u4" : "<f4", shape);
-
-    // Magic, version and length are 10 bytes; the data starts at a multiple of 64, after a newline.
-    const std::size_t length = (10 + header.size() + 1 + 63) / 64 * 64 - 10;
-    header.resize(length - 1, ' ');
-    header += '\n';
-    const std::string start = {'\x93', 'N', 'U', 'M', 'P', 'Y', 1, 0,
-        static_cast<char>(length & 0xFF), static_cast<char>(length >> 8)};
-
+    const std::string header = npy_header(items ? "<u4" : "<f4", shape);
     OutputFile file(path);
-    file.write(start.data(), start.size());
     file.write(header.data(), header.size());
     if (items)
         file.write(plane.item.data(), plane.item.size_bytes());
     else
         file.write(plane.value.data(), plane.value.size_bytes());
+    file.commit();
+}
+
+void write_npy_bytes(const std::string& path, const NpyShape& shape,
+    const std::function<void(std::size_t row, std::span<std::uint8_t> values)>& fill_row)
+{
+    const std::string text = shape.one_dimension
+                                 ? fmt::format("({},)", shape.columns)
+                                 : fmt::format("({}, {})", shape.rows, shape.columns);
+    const std::string header = npy_header("|u1", text);
+    OutputFile file(path);
+    file.write(header.data(), header.size());
+    std::vector<std::uint8_t> values(shape.columns);
+    for (std::size_t row = 0; row < shape.rows; ++row) {
+        fill_row(row, values);
+        file.write(values.data(), values.size());
+    }
     file.commit();
 }
 
