@@ -118,7 +118,7 @@ void shade_picture(const Picture& picture)
     HitTile hits = picture.hits();
     for (const std::vector<HitRun>& runs : picture.runs) {
         hits.runs = runs;
-        shade_tile(hits, picture.world, targets);
+        shade_tile(hits, picture.world, {}, targets);
         benchmark::DoNotOptimize(color);
     }
 }

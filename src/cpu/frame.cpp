@@ -94,9 +94,10 @@ void render_part(const World& world, const View& view, const Region& part, const
     resize(memory.hits, tile_size, pass.shadows ? tiles : std::size_t(tasks.threads()));
     const auto finish = [&](const HitTile& hits, std::size_t tile, TileWorker& worker) {
         Stopwatch lap;
-        const LitTile lit = lit_tile(memory, tile, pass.shadows, world, worker);
-        shade_tile(hits, lit, world, worker.shade.targets); // what colour is it?
-        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits,
+        LitTile lit;
+        if (pass.shadows) lit = unpack_lit(memory.lit, tile, worker.lit);
+        shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
+        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits, lit,
             worker.shade.targets, film);
         worker.shade_ms += lap.lap_ms();
     };
@@ -123,8 +124,8 @@ void render_part(const World& world, const View& view, const Region& part, const
 }
 
 /// Prepares every worker's tile memory, and the planes of the film that the pass fills.
-void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& memory, Tasks& tasks,
-    Film& film)
+void prepare(const Pass& pass, int tile_size, const World& world, const View& view,
+    FrameMemory& memory, Tasks& tasks, Film& film)
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<TileWorker>());
@@ -132,14 +133,14 @@ void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& mem
         resize(worker->items, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
     }
-    resize(film, view.region.width, view.region.height, pass.color, pass.aovs);
+    resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
 }
 
 void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
     FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     const int tile = tile_samples(tile_size, pass.samples);
-    prepare(pass, tile, view, memory, tasks, film);
+    prepare(pass, tile, world, view, memory, tasks, film);
     // Parts small enough for the boxes' and tiles' integers, in whole tiles.
     const int step = std::min(kMaxPencil, 255 * tile) / tile * tile / pass.samples;
     const Region& all = view.region;
@@ -183,7 +184,8 @@ void render_frame(const World& world, const View& view, const Settings& settings
     const std::span<const Aov> aovs = settings.aovs;
     if (settings.color || together)
         render_pass(world, view,
-            {settings.samples, settings.color, together ? aovs : std::span<const Aov>()},
+            {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
+                settings.color && settings.shadows == Shadows::exact && !world.lights.empty()},
             settings.tile_size, memory, tasks, film, stats);
     if (!together && !aovs.empty())
         render_pass(world, view, {1, false, aovs}, settings.tile_size, memory, tasks, film, stats);

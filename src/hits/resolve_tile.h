@@ -21,7 +21,7 @@ struct HitPlaces {
 struct HitMemory {
     Buffer<HitRun> run; // (tiles, samples); a tile fills the start of its part
     Buffer<std::uint32_t> item;
-    Buffer<float> t, u, v; // (tiles, samples)
+    Buffer<float> t, u, v;   // (tiles, samples)
     std::size_t samples = 0; // of a tile
 
     HitPlaces of(std::size_t tile)

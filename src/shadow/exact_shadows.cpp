@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cstring>
+#include <optional>
 
 namespace firsthit {
 namespace {
@@ -13,7 +14,9 @@ namespace {
 /// The points behind the ids: number of a sample in all tiles.
 class HitPoints : public LightPoints {
   public:
-    HitPoints(std::span<const HitTile> tiles, const LightSpace& space) : tiles_(tiles), space_(space)
+    HitPoints(std::span<const HitTile> tiles, const LightSpace& space)
+        : tiles_(tiles),
+          space_(space)
     {
     }
 
@@ -69,6 +72,16 @@ void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint
 
 } // namespace
 
+LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
+{
+    const std::size_t samples = bits.blocks * kBlockSamples;
+    memory.resize(bits.lights * samples);
+    for (std::size_t l = 0; l < bits.lights; ++l)
+        unpack_bits(bits.words.span().subspan(bits.place(l, tile), bits.blocks),
+            memory.data() + l * samples);
+    return {memory.data(), samples};
+}
+
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads)
 {
     memory.samples.resize(chunks * chunk_room(points_a_chunk));
@@ -105,26 +118,31 @@ void test_exact_shadows(const World& world, const ViewMemory& view, std::span<co
     ShadowMemory& memory, Tasks& tasks, LitBits& lit, ShadowEffort& effort)
 {
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
+    lit.lights = world.lights.size();
     lit.tiles = tiles.size();
     lit.blocks = samples / kBlockSamples;
     lit.words.resize(world.lights.size() * lit.tiles * lit.blocks);
     resize(memory, tiles.size(), samples, tasks.threads());
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
-        const LightSpace space = light_space(world.lights[l], view.pencil.eye);
+        const Light& light = world.lights[l];
+        const LightSpace space = light_space(light, view.pencil.eye);
+        std::optional<SpotCone> cone;
+        if (light.kind == Light::Kind::spot) cone = spot_cone(light);
         see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
-            std::uint64_t* words = lit.of(l, tile);
+            std::uint64_t* words = &lit.words[lit.place(l, tile)];
             find_facing(view, memory.mesh, tiles[tile], lit.blocks, words);
             LightChunk& chunk = *memory.workers[worker];
-            collect_hits(tiles[tile], words, space, std::uint32_t(tile * samples), chunk);
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
+                words, chunk);
             see_points(
                 space, chunk, tile * chunk_room(samples), memory.samples, memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         test_chunks(HitPoints(tiles, memory.mesh.space), memory, tasks);
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
-            remove_shadowed(
-                memory.shadowed.data() + tile * samples, lit.blocks, lit.of(l, tile));
+            remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,
+                &lit.words[lit.place(l, tile)]);
         });
         for (std::size_t tile = 0; tile < tiles.size(); ++tile)
             for (const SampleRange& range : memory.parts[tile].range) effort.points += range.count;

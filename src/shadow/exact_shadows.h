@@ -4,6 +4,7 @@
 
 #include "base/tasks.h"
 #include "hits/hit_tile.h"
+#include "hits/lit_tile.h"
 #include "visibility/irregular_zbuffer.h"
 #include "visibility/see_points.h"
 #include "visibility/view_memory.h"
@@ -27,10 +28,10 @@ struct ShadowEffort {
 struct ShadowMemory {
     LightMesh mesh;
     IrregularMemory irregular;
-    IrregularSamples samples;         // (chunks, chunk_room)
-    std::vector<FaceParts> parts;     // (chunks)
-    Buffer<SampleRange> ranges;       // (chunks) of one face
-    Buffer<std::uint8_t> shadowed;    // (points) of one light
+    IrregularSamples samples;      // (chunks, chunk_room)
+    std::vector<FaceParts> parts;  // (chunks)
+    Buffer<SampleRange> ranges;    // (chunks) of one face
+    Buffer<std::uint8_t> shadowed; // (points) of one light
     std::vector<std::unique_ptr<LightChunk>> workers;
 };
 
@@ -48,11 +49,16 @@ struct LitBits {
     std::size_t tiles = 0;
     std::size_t blocks = 0; // of a tile
 
-    std::uint64_t* of(std::size_t light, std::size_t tile)
+    std::size_t lights = 0;
+
+    std::size_t place(std::size_t light, std::size_t tile) const
     {
-        return words.data() + (light * tiles + tile) * blocks;
+        return (light * tiles + tile) * blocks;
     }
 };
+
+/// A tile's part of all lights as floats, in `memory`.
+LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
 /// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
 /// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle

@@ -11,7 +11,8 @@ constexpr std::size_t kChunk = 4096; // points
 class GivenPoints : public LightPoints {
   public:
     GivenPoints(std::span<const glm::vec3> points, const LightSpace& space)
-        : points_(points), space_(space)
+        : points_(points),
+          space_(space)
     {
     }
 
@@ -44,8 +45,7 @@ void test_points(const World& world, const LightSpace& space, std::span<const gl
             chunk.id[k] = std::uint32_t(first + k);
             chunk.item[k] = receivers.empty() ? kNoItem : receivers[first + k];
         }
-        see_points(
-            space, chunk, number * chunk_room(kChunk), memory.samples, memory.parts[number]);
+        see_points(space, chunk, number * chunk_room(kChunk), memory.samples, memory.parts[number]);
         std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
     });
     test_chunks(GivenPoints(points, memory.mesh.space), memory, tasks);

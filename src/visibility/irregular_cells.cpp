@@ -100,8 +100,7 @@ void sort_samples(const IrregularSamples& from, std::span<const SampleRange> ran
             for (std::size_t k = range.first; k < range.first + range.count; ++k)
                 ++counts[grid.row(from.y[k]) * grid.columns + grid.column(from.x[k])];
     });
-    const std::uint64_t total =
-        start_cells(shares.count, count, cells.cursor, cells.sample_start);
+    const std::uint64_t total = start_cells(shares.count, count, cells.cursor, cells.sample_start);
     cells.samples.resize(total, total / 4 + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &cells.cursor[share * count];
@@ -141,8 +140,7 @@ bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRa
         std::uint32_t* cursor = &cells.cursor[share * count];
         for (const SampleRange& range : shares.of(ranges, share))
             for (const SeenTriangle& box : from.subspan(range.first, range.count))
-                for_cells(
-                    box, cells, [&](int cell) { cells.triangles[cursor[cell]++] = box; });
+                for_cells(box, cells, [&](int cell) { cells.triangles[cursor[cell]++] = box; });
     });
     return true;
 }

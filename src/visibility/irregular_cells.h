@@ -15,7 +15,7 @@ namespace firsthit {
 /// argument grows, and are the same for samples and triangles: so a triangle meets all cells whose
 /// samples it may cover, whatever is rounded.
 struct CellGrid {
-    float x0 = 0, y0 = 0;   // of the rectangle
+    float x0 = 0, y0 = 0;           // of the rectangle
     float scale_x = 0, scale_y = 0; // cells a unit
     int columns = 1, rows = 1;
 
@@ -37,16 +37,16 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    IrregularSamples samples;           // by cell
-    Buffer<std::uint32_t> sample_start; // (cells + 1)
-    Buffer<SeenTriangle> triangles;     // by cell, then in their order
+    IrregularSamples samples;             // by cell
+    Buffer<std::uint32_t> sample_start;   // (cells + 1)
+    Buffer<SeenTriangle> triangles;       // by cell, then in their order
     Buffer<std::uint32_t> triangle_start; // (cells + 1)
-    Buffer<std::uint32_t> cursor;       // (ranges, cells), while sorting
+    Buffer<std::uint32_t> cursor;         // (ranges, cells), while sorting
 };
 
 /// Sorts the samples of all ranges.
-void sort_samples(
-    const IrregularSamples& from, std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks);
+void sort_samples(const IrregularSamples& from, std::span<const SampleRange> ranges,
+    IrregularCells& cells, Tasks& tasks);
 
 /// Copies each triangle that may shadow a sample to all cells that its box meets.
 /// ranges  into `from`

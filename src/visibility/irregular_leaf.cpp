@@ -203,8 +203,7 @@ HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh, const IrregularSa
         if (k >= leaf.count) break;
         ++leaf.counts.uncertain;
         const glm::vec3 d = points.in_light_space(samples.id[range.first + k]);
-        if (is_shadowed(mesh.space, corners, d, leaf.counts.effort))
-            shadowed |= open & (~open + 1);
+        if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
     }
     return shadowed;
 }
@@ -241,8 +240,7 @@ HWY_INLINE void test_groups(
 
     leaf.counts.pairs += std::uint64_t(std::popcount(groups)) * kGroup;
     for (; groups; groups &= groups - 1) {
-        const std::size_t group =
-            chunk * kChunkGroups + std::size_t(std::countr_zero(groups));
+        const std::size_t group = chunk * kChunkGroups + std::size_t(std::countr_zero(groups));
         std::uint32_t shadowed = leaf.shadowed[group];
         const std::uint32_t before = shadowed;
         for (int part = 0; part < kGroup; part += lanes) {
@@ -255,11 +253,10 @@ HWY_INLINE void test_groups(
             const auto ahead =
                 hn::Sub(hn::MulAdd(wx, x, hn::MulAdd(wy, y, wc)), hn::Load(d, leaf.w.data() + k));
             // Also where `ahead` is no number.
-            const auto maybe =
-                hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
+            const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
             if (hn::AllFalse(d, maybe)) continue;
-            const auto other = hn::RebindMask(
-                d, hn::Ne(hn::Load(du, leaf.item.data() + k), triangle));
+            const auto other =
+                hn::RebindMask(d, hn::Ne(hn::Load(du, leaf.item.data() + k), triangle));
             const auto certain =
                 hn::And(hn::And(hn::Gt(least, inside_from), hn::Gt(ahead, shadowed_from)), other);
             const std::uint32_t hit = std::uint32_t(bits(d, certain)) << part;

@@ -35,10 +35,10 @@ struct ShadowCounts {
     }
 };
 
-inline constexpr int kGroup = 16;      // samples that are tested at once
+inline constexpr int kGroup = 16;       // samples that are tested at once
 inline constexpr int kChunkGroups = 64; // groups of a chunk, a bit each
-inline constexpr int kSlots = 32;      // into which a chunk's groups are sorted on each axis
-inline constexpr int kLeafBatch = 64;  // triangles that are set up together
+inline constexpr int kSlots = 32;       // into which a chunk's groups are sorted on each axis
+inline constexpr int kLeafBatch = 64;   // triangles that are set up together
 
 /// The groups of a chunk whose samples reach a slot, a bit each: a triangle's groups are those of
 /// five lookups, combined.
@@ -55,9 +55,10 @@ struct GroupTable {
 struct LeafBatch {
     int count = 0;
     std::uint32_t triangle[kLeafBatch];
-    std::uint8_t slot[kLeafBatch][5];           // of its box and depth: into GroupTable
-    alignas(64) float corner[9][kLeafBatch];    // a0 b0 c0 a1 ... as the face sees them
-    alignas(64) float gx[3][kLeafBatch], gy[3][kLeafBatch], c[3][kLeafBatch]; // |e| <= 1, inside > 0
+    std::uint8_t slot[kLeafBatch][5];        // of its box and depth: into GroupTable
+    alignas(64) float corner[9][kLeafBatch]; // a0 b0 c0 a1 ... as the face sees them
+    alignas(64) float gx[3][kLeafBatch], gy[3][kLeafBatch],
+        c[3][kLeafBatch]; // |e| <= 1, inside > 0
     alignas(64) float wx[kLeafBatch], wy[kLeafBatch], wc[kLeafBatch];
     alignas(64) float shadowed_from[kLeafBatch]; // w - sample's w: certainly shadowed above this,
     alignas(64) float lit_below[kLeafBatch];     // certainly not below that
@@ -78,8 +79,8 @@ struct LeafMemory {
     float nearest_w = 0; // of all samples' w that are numbers
     float largest_w = 0; // of their sizes
     double middle_x = 0, middle_y = 0;
-    double half_x = 0, half_y = 0;   // largest offsets
-    double error_x = 0, error_y = 0; // of a sample's place
+    double half_x = 0, half_y = 0;               // largest offsets
+    double error_x = 0, error_y = 0;             // of a sample's place
     double least_margin = 0, largest_margin = 0; // in units of w times the plane's distance
 };
 

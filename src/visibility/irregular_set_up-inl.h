@@ -55,8 +55,7 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
         return hn::Add(hn::Add(hn::Mul(x, xm), hn::Mul(y, ym)), z);
     };
     const auto over_cell = [&](const V& at, const V& x, const V& y) {
-        return hn::Add(
-            hn::Abs(at), hn::Add(hn::Mul(hx, hn::Abs(x)), hn::Mul(hy, hn::Abs(y))));
+        return hn::Add(hn::Abs(at), hn::Add(hn::Mul(hx, hn::Abs(x)), hn::Mul(hy, hn::Abs(y))));
     };
 
     // The pencil's planes: a directional light's rays are those of a pencil with 1 for z.
@@ -65,8 +64,8 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
     };
     const Planes<V> p = planes_of(pencil(v0), pencil(v1), pencil(v2));
     V certain = hn::Abs(p.volume); // 0 where something is not
-    certain = hn::IfThenElseZero(
-        hn::Gt(certain, hn::Mul(hn::Set(d, 0x1p-26), p.volume_size)), certain);
+    certain =
+        hn::IfThenElseZero(hn::Gt(certain, hn::Mul(hn::Set(d, 0x1p-26), p.volume_size)), certain);
 
     auto gx0 = hn::Zero(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,
          gy2 = gx0, c2 = gx0;
@@ -74,8 +73,8 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
         const V at = at_middle(n.x, n.y, n.z);
         const V size = over_cell(at, n.x, n.y);
         // Each product of the edge has one rounding, and there are two more on the way.
-        const V terms = hn::Add(hn::Add(hn::Mul(hn::Abs(n.x), reach_x), hn::Mul(hn::Abs(n.y), reach_y)),
-            hn::Abs(n.z));
+        const V terms = hn::Add(
+            hn::Add(hn::Mul(hn::Abs(n.x), reach_x), hn::Mul(hn::Abs(n.y), reach_y)), hn::Abs(n.z));
         certain = hn::IfThenElseZero(hn::Gt(hn::Mul(size, hn::Set(d, 0x1p24)), terms), certain);
         const V scale = hn::Div(hn::CopySign(one, p.volume), size);
         gx = hn::DemoteTo(f, hn::Mul(n.x, scale));
@@ -103,8 +102,7 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
             hn::Mul(n_size.z, hn::Abs(v0.z)));
     } else {
         wc = hn::Mul(at_middle(n.x, n.y, n.z), inverse);
-        terms = hn::Add(
-            hn::Add(hn::Mul(n_size.x, reach_x), hn::Mul(n_size.y, reach_y)), n_size.z);
+        terms = hn::Add(hn::Add(hn::Mul(n_size.x, reach_x), hn::Mul(n_size.y, reach_y)), n_size.z);
     }
     const V size = over_cell(wc, wx, wy);
     const V abs_inverse = hn::Abs(inverse);
@@ -120,16 +118,17 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
     const V length = hn::Add(hn::Add(hn::Abs(n.x), hn::Abs(n.y)), hn::Abs(n.z));
     const V length_size = hn::Add(hn::Add(n_size.x, n_size.y), n_size.z);
     const V k = hn::Mul(length, abs_inverse);
-    const V k_error = hn::Mul(u(0x1p-49),
-        hn::Add(hn::Mul(length_size, abs_inverse), hn::Mul(k, divisor_error)));
+    const V k_error =
+        hn::Mul(u(0x1p-49), hn::Add(hn::Mul(length_size, abs_inverse), hn::Mul(k, divisor_error)));
     const V most = hn::Add(hn::Mul(hn::Add(k, k_error), hn::Set(d, leaf.largest_margin)), error);
     const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), hn::Set(d, leaf.least_margin)), error);
     // A divisor that may be anything, or a float that overflows: nothing is certain.
-    const auto sane = hn::And(hn::Gt(certain, zero),
-        hn::And(hn::Lt(divisor_error, u(0x1p26)),
-            hn::And(hn::Lt(size, u(0x1p120)), hn::Lt(most, u(0x1p120)))));
+    const auto sane = hn::And(
+        hn::Gt(certain, zero), hn::And(hn::Lt(divisor_error, u(0x1p26)),
+                                   hn::And(hn::Lt(size, u(0x1p120)), hn::Lt(most, u(0x1p120)))));
     const V infinite = hn::Inf(d);
-    const V from = hn::IfThenElse(sane, hn::Add(most, hn::Mul(hn::Abs(most), u(0x1p-22))), infinite);
+    const V from =
+        hn::IfThenElse(sane, hn::Add(most, hn::Mul(hn::Abs(most), u(0x1p-22))), infinite);
     const V below = hn::IfThenElse(
         sane, hn::Sub(least, hn::Mul(hn::Abs(least), u(0x1p-22))), hn::Neg(infinite));
     const auto sanely = [&](const V& v) { return hn::IfThenElseZero(sane, v); };

@@ -4,9 +4,9 @@
 namespace firsthit {
 namespace {
 
-constexpr std::size_t kCellSamples = 768;    // wanted in a cell
-constexpr std::size_t kManySamples = 4096;   // more than these are divided again
-constexpr std::size_t kManyTriangles = 128;  // where there are more than these triangles
+constexpr std::size_t kCellSamples = 768;   // wanted in a cell
+constexpr std::size_t kManySamples = 4096;  // more than these are divided again
+constexpr std::size_t kManyTriangles = 128; // where there are more than these triangles
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
@@ -68,8 +68,7 @@ void test_face(const LightMesh& mesh, const IrregularSamples& samples,
     sort(samples, ranges, count, mesh.in_view.span(), memory.triangle_ranges.span(), bounds, cells,
         tasks);
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
-        test_cell(
-            mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);
+        test_cell(mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);
     });
 }
 

@@ -21,7 +21,10 @@ struct LightFace {
     int axis_a = 0, axis_b = 1, axis_c = 2;
     float sign = 1; // of the axis
 
-    glm::vec3 seen_from(const glm::vec3& d) const { return {d[axis_a], d[axis_b], sign * d[axis_c]}; }
+    glm::vec3 seen_from(const glm::vec3& d) const
+    {
+        return {d[axis_a], d[axis_b], sign * d[axis_c]};
+    }
 };
 
 /// number  0 to 5: +x, -x, +y, -y, +z, -z; a directional light has number 0 only
@@ -29,7 +32,9 @@ inline LightFace light_face(bool directional, int number)
 {
     if (directional) return {.directional = true};
     const int axis = number / 2;
-    return {.axis_a = (axis + 1) % 3, .axis_b = (axis + 2) % 3, .axis_c = axis,
+    return {.axis_a = (axis + 1) % 3,
+        .axis_b = (axis + 2) % 3,
+        .axis_c = axis,
         .sign = number % 2 ? -1.0f : 1.0f};
 }
 

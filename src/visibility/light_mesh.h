@@ -35,8 +35,8 @@ struct LightMesh {
     std::span<const glm::uvec3> index;
     Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
     LightFace face;
-    Buffer<SeenPoint> seen;           // (V) by the face; x is no number: behind it, or unusable
-    Buffer<SeenTriangle> in_view;     // (T) room; each range of triangles fills the start of its part
+    Buffer<SeenPoint> seen;       // (V) by the face; x is no number: behind it, or unusable
+    Buffer<SeenTriangle> in_view; // (T) room; each range of triangles fills the start of its part
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
 
     Corners corners(std::uint32_t triangle) const

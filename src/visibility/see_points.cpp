@@ -42,9 +42,7 @@ HWY_INLINE hn::Mask<Reals> on_face(const Points& p, int face)
     const Real x = hn::Abs(p.x), y = hn::Abs(p.y), z = hn::Abs(p.z);
     const auto x_major = hn::And(hn::Ge(x, y), hn::Ge(x, z));
     const auto y_major = hn::AndNot(x_major, hn::Ge(y, z));
-    const auto major = face < 2   ? x_major
-                       : face < 4 ? y_major
-                                  : hn::Not(hn::Or(x_major, y_major));
+    const auto major = face < 2 ? x_major : face < 4 ? y_major : hn::Not(hn::Or(x_major, y_major));
     const Real along = face < 2 ? p.x : face < 4 ? p.y : p.z;
     const auto ahead = face % 2 ? hn::Lt(along, hn::Zero(d)) : hn::Gt(along, hn::Zero(d));
     return hn::And(p.valid, hn::And(major, ahead));
@@ -85,8 +83,7 @@ void see_face(const LightSpace& space, const LightChunk& chunk, int number, std:
         hn::CompressStore(x, chosen, d, samples.x.data() + next);
         hn::CompressStore(y, chosen, d, samples.y.data() + next);
         hn::CompressStore(w, chosen, d, samples.w.data() + next);
-        hn::CompressStore(
-            hn::Load(du, chunk.id.data() + k), numbers, du, samples.id.data() + next);
+        hn::CompressStore(hn::Load(du, chunk.id.data() + k), numbers, du, samples.id.data() + next);
         hn::CompressStore(
             hn::Load(du, chunk.item.data() + k), numbers, du, samples.item.data() + next);
         next += hn::CountTrue(d, chosen);

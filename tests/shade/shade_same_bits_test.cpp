@@ -18,7 +18,7 @@ void expect_same_bits(const TileScene& tile, const char* what)
     plain_shade(tile.hits, tile.world, plain.targets);
     for_instruction_sets([&] {
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, memory.targets);
+        shade_tile(tile.hits, tile.world, {}, memory.targets);
         int different = 0;
         for (int plane = 0; plane < ShadeMemory::kPlanes; ++plane)
             for (int k = 0; k < tile.hits.size * tile.hits.size; ++k) {
