@@ -84,7 +84,8 @@ class HeaderText {
     {
         skip_blanks();
         const char quote = text_.empty() ? '\0' : text_[0];
-        if (quote != '\'' && quote != '"') fail("a string is missing; arrays of records are not read");
+        if (quote != '\'' && quote != '"')
+            fail("a string is missing; arrays of records are not read");
         const std::size_t end = text_.find(quote, 1);
         if (end == std::string_view::npos) fail("a string does not end");
         std::string result;
@@ -168,8 +169,8 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& name)
 
 std::string npy_header(const std::string& descr, const std::string& shape)
 {
-    std::string text = fmt::format(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", descr, shape);
+    std::string text =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", descr, shape);
     // Magic, version and length are 10 bytes; the data starts at a multiple of 64, after a newline.
     const std::size_t length = (10 + text.size() + 1 + 63) / 64 * 64 - 10;
     text.resize(length - 1, ' ');

@@ -66,7 +66,8 @@ Array parse(std::string_view bytes, const std::string& name, const Wanted& wante
                                     "numpy.ascontiguousarray",
             name));
 
-    const std::uint64_t row_bytes = std::uint64_t(type[1] - '0') * std::max<std::size_t>(1, wanted.columns);
+    const std::uint64_t row_bytes =
+        std::uint64_t(type[1] - '0') * std::max<std::size_t>(1, wanted.columns);
     const std::string_view data = bytes.substr(header.data_at);
     if (rows > data.size() / row_bytes || rows * row_bytes != data.size())
         throw FileError(fmt::format("{}: the shape {} does not fit the {} bytes that follow the "
@@ -90,8 +91,9 @@ std::vector<Vector> parse_rows(std::string_view bytes, const std::string& name)
     std::vector<Vector> result(array.rows);
     for (std::size_t row = 0; row < array.rows; ++row) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const double value = array.type == "f4" ? double(number_at<float>(array.data, 3 * row + k))
-                                                    : number_at<double>(array.data, 3 * row + k);
+            const double value = array.type == "f4"
+                                     ? double(number_at<float>(array.data, 3 * row + k))
+                                     : number_at<double>(array.data, 3 * row + k);
             result[row][int(k)] = static_cast<typename Vector::value_type>(value);
         }
     }
@@ -106,8 +108,8 @@ std::int64_t id_at(const Array& array, std::size_t row, const std::string& name)
     if (array.type == "i8") return number_at<std::int64_t>(array.data, row);
     const auto value = number_at<std::uint64_t>(array.data, row);
     if (value > std::uint64_t(std::numeric_limits<std::int64_t>::max()))
-        throw FileError(fmt::format("{}: row {}: {} is no id: accepted are 0 to 4294967295", name,
-            row, value));
+        throw FileError(
+            fmt::format("{}: row {}: {} is no id: accepted are 0 to 4294967295", name, row, value));
     return std::int64_t(value);
 }
 

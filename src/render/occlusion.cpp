@@ -2,12 +2,13 @@
 #include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
+#include "hits/spot_cone.h"
 #include "render/check_occlusion.h"
 #include "shadow/point_shadows.h"
 
 #include <firsthit/occlusion.h>
 
-#include <new>
+#include <algorithm>
 
 namespace firsthit {
 
