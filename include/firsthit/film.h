@@ -22,7 +22,7 @@ enum class Aov {
     position,         // 3: world space, none = 0
     albedo,           // 3: diffuse colour times texture, linear; none = 0
     barycentric,      // 2: u, v, weights of corners 1 and 2 (Embree's convention); none = 0
-    lit,              // one for each light: the share of it that shadows leave, 0 to 1; none = 0
+    lit, // one for each light: the share of it that arrives, 0 (in shadow) to 1; none = 0
 };
 inline constexpr int kAovCount = 10;
 

@@ -107,8 +107,8 @@ void render_part(const World& world, const View& view, const Region& part, const
             memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[worker]);
         });
         watch.lap_ms();
-        test_exact_shadows(world, memory.view, memory.tiles, memory.shadows, tasks, memory.lit,
-            memory.shadow_effort); // which lights reach it?
+        test_exact_shadows(world, memory.view, memory.tiles, memory.shadows, tasks,
+            memory.lit); // which lights reach it?
         memory.shadow_ms += watch.lap_ms();
         tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
             finish(memory.tiles[tile], tile, *memory.workers[worker]);

@@ -38,7 +38,6 @@ struct FrameMemory {
     std::vector<HitTile> tiles; // of all tiles
     ShadowMemory shadows;
     LitBits lit;
-    ShadowEffort shadow_effort;
     double shadow_ms = 0;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };

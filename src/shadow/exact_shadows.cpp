@@ -1,12 +1,14 @@
 // exact_shadows.cpp - which lights reach what the eye sees.
 #include "shadow/exact_shadows.h"
 
+#include "base/stopwatch.h"
 #include "hits/hit_position.h"
 #include "shadow/collect_hits.h"
 
 #include <bit>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace firsthit {
 namespace {
@@ -43,19 +45,6 @@ Corners eye_corners(const ViewMemory& view, std::uint32_t triangle)
     return {glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
 }
 
-/// The samples whose item's plane has the light on the eye's side, a bit each.
-void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
-    std::size_t blocks, std::uint64_t* facing)
-{
-    Effort effort;
-    std::fill_n(facing, blocks, std::uint64_t(0));
-    for (const HitRun& run : hits.runs) {
-        const int eye = volume_sign(eye_corners(view, run.item), effort);
-        if (eye != 0 && eye == light_side(mesh.space, mesh.corners(run.item), effort))
-            facing[run.block] |= run.samples;
-    }
-}
-
 /// Takes the samples that are shadowed out of the words.
 void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint64_t* words)
 {
@@ -71,6 +60,18 @@ void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint
 }
 
 } // namespace
+
+void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
+    std::size_t blocks, std::uint64_t* facing)
+{
+    Effort effort;
+    std::fill_n(facing, blocks, std::uint64_t(0));
+    for (const HitRun& run : hits.runs) {
+        const int eye = volume_sign(eye_corners(view, run.item), effort);
+        if (eye != 0 && eye == light_side(mesh.space, mesh.corners(run.item), effort))
+            facing[run.block] |= run.samples;
+    }
+}
 
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
 {
@@ -93,9 +94,19 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
     for (const auto& worker : memory.workers) worker->reserve(points_a_chunk);
 }
 
+ShadowEffort take_effort(ShadowMemory& memory)
+{
+    for (const auto& worker : memory.irregular.workers) {
+        memory.effort.counts.add(worker->leaf.counts);
+        worker->leaf.counts = {};
+    }
+    return std::exchange(memory.effort, {});
+}
+
 void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
 {
     const std::size_t chunks = memory.ranges.size();
+    ShadowEffort& effort = memory.effort;
     for (std::size_t face = 0; face < kLightFaces; ++face) {
         SampleBounds bounds;
         std::size_t count = 0;
@@ -107,15 +118,20 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
             count += parts.range[face].count;
         }
         if (count == 0) continue;
+        effort.points += count;
+        Stopwatch watch;
         see_through_face(
             light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
-        test_face(memory.mesh, memory.samples, memory.ranges.span(), bounds, points,
-            memory.irregular, tasks, memory.shadowed.span());
+        effort.see_ms += watch.lap_ms();
+        sort_face(memory.mesh, memory.samples, memory.ranges.span(), bounds, memory.irregular, tasks);
+        effort.sort_ms += watch.lap_ms();
+        test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
+        effort.test_ms += watch.lap_ms();
     }
 }
 
 void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit, ShadowEffort& effort)
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit)
 {
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
     lit.lights = world.lights.size();
@@ -128,28 +144,27 @@ void test_exact_shadows(const World& world, const ViewMemory& view, std::span<co
         const LightSpace space = light_space(light, view.pencil.eye);
         std::optional<SpotCone> cone;
         if (light.kind == Light::Kind::spot) cone = spot_cone(light);
+        Stopwatch watch;
         see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+        memory.effort.see_ms += watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
             find_facing(view, memory.mesh, tiles[tile], lit.blocks, words);
             LightChunk& chunk = *memory.workers[worker];
-            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
-                words, chunk);
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr,
+                std::uint32_t(tile * samples), words, chunk);
             see_points(
                 space, chunk, tile * chunk_room(samples), memory.samples, memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
+        memory.effort.collect_ms += watch.lap_ms();
         test_chunks(HitPoints(tiles, memory.mesh.space), memory, tasks);
+        watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
             remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,
                 &lit.words[lit.place(l, tile)]);
         });
-        for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-            for (const SampleRange& range : memory.parts[tile].range) effort.points += range.count;
-    }
-    for (const auto& worker : memory.irregular.workers) {
-        effort.counts.add(worker->leaf.counts);
-        worker->leaf.counts = {};
+        memory.effort.collect_ms += watch.lap_ms();
     }
 }
 

@@ -18,9 +18,13 @@
 
 namespace firsthit {
 
-/// Where the time went, in milliseconds of all threads together, and what it took.
+/// Where the time went, in milliseconds, and what it took.
 struct ShadowEffort {
-    std::uint64_t points = 0; // hits that a light might reach
+    double collect_ms = 0; // hits to points in the light's space
+    double see_ms = 0;     // vertices and triangles to the light's faces
+    double sort_ms = 0;    // into the cells
+    double test_ms = 0;    // triangles over points
+    std::uint64_t points = 0; // that a light might reach
     ShadowCounts counts;
 };
 
@@ -33,7 +37,11 @@ struct ShadowMemory {
     Buffer<SampleRange> ranges;    // (chunks) of one face
     Buffer<std::uint8_t> shadowed; // (points) of one light
     std::vector<std::unique_ptr<LightChunk>> workers;
+    ShadowEffort effort; // so far; take_effort moves it away
 };
+
+/// What was done since the last call.
+ShadowEffort take_effort(ShadowMemory& memory);
 
 /// Room for what the workers need.
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
@@ -60,11 +68,16 @@ struct LitBits {
 /// A tile's part of all lights as floats, in `memory`.
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
+/// The samples whose item's plane has the light on the side that the eye is on, a bit each.
+/// blocks  of the tile
+void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
+    std::size_t blocks, std::uint64_t* facing);
+
 /// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
 /// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle
 /// shadows it (exact/shadow_ray.h).
 /// tiles  of one picture part, all of one size; view is what they were resolved from
 void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit, ShadowEffort& effort);
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit);
 
 } // namespace firsthit

@@ -52,21 +52,25 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
 
 } // namespace
 
-void test_face(const LightMesh& mesh, const IrregularSamples& samples,
-    std::span<const SampleRange> ranges, const SampleBounds& bounds, const LightPoints& points,
-    IrregularMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+void sort_face(const LightMesh& mesh, const IrregularSamples& samples,
+    std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
+    Tasks& tasks)
 {
-    while (int(memory.workers.size()) < tasks.threads())
-        memory.workers.push_back(std::make_unique<CellWorker>());
     std::size_t count = 0;
     for (const SampleRange& range : ranges) count += range.count;
     memory.triangle_ranges.resize(mesh.range_count.size());
     for (std::size_t k = 0; k < mesh.range_count.size(); ++k)
         memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
+    sort(samples, ranges, count, mesh.in_view.span(), memory.triangle_ranges.span(), bounds,
+        memory.cells, tasks);
+}
 
-    IrregularCells& cells = memory.cells;
-    sort(samples, ranges, count, mesh.in_view.span(), memory.triangle_ranges.span(), bounds, cells,
-        tasks);
+void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+    Tasks& tasks, std::span<std::uint8_t> shadowed)
+{
+    while (int(memory.workers.size()) < tasks.threads())
+        memory.workers.push_back(std::make_unique<CellWorker>());
+    const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
         test_cell(mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);
     });

@@ -36,12 +36,16 @@ struct IrregularMemory {
     Tasks serial{1};
 };
 
-/// Tests the samples of one face against the triangles that see_through_face found for the same
-/// bounds: shadowed[id] = 1 for the samples that are shadowed. Adds to the workers' counts.
+/// Sorts the samples of one face, and the triangles that see_through_face found for the same bounds.
 /// ranges  of `samples`; no two hold the same id
 /// bounds  of all of them
-void test_face(const LightMesh& mesh, const IrregularSamples& samples,
-    std::span<const SampleRange> ranges, const SampleBounds& bounds, const LightPoints& points,
-    IrregularMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed);
+void sort_face(const LightMesh& mesh, const IrregularSamples& samples,
+    std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
+    Tasks& tasks);
+
+/// Tests what was sorted: shadowed[id] = 1 for the samples that are shadowed, no other is written.
+/// Adds to the workers' counts.
+void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+    Tasks& tasks, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit
