@@ -46,11 +46,12 @@ struct Tree {
     RTCScene scene;
 
     Tree(const LightMesh& mesh, int threads)
-        : device(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())), scene(rtcNewScene(device))
+        : device(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
+          scene(rtcNewScene(device))
     {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX,
-            0, RTC_FORMAT_FLOAT3, 12, mesh.corner.size() + 1));
+        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.corner.size() + 1));
         std::memcpy(vertex, mesh.corner.data(), mesh.corner.size() * 12);
         auto* index = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.index.size()));
@@ -125,7 +126,8 @@ void measure(const std::string& argument, const Options& options)
         chunks.push_back(std::make_unique<LightChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
-        find_facing(memory.view, memory.shadows.mesh, memory.tiles[tile], chosen.size(), chosen.data());
+        find_facing(
+            memory.view, memory.shadows.mesh, memory.tiles[tile], chosen.size(), chosen.data());
         collect_hits(memory.tiles[tile], space, nullptr, std::uint32_t(tile * samples),
             chosen.data(), *chunks.back());
     }
@@ -157,7 +159,8 @@ void measure(const std::string& argument, const Options& options)
         shadowed += memory.shadows.shadowed[k];
     }
     const std::string name = argument.substr(argument.find_last_of('/') + 1);
-    std::printf("%-22s %9zu %9zu %9zu %7.2f %7.2f %7.2f %7.2f %8.2f %8.2f %6.2f %7zu %9zu %9zu %7zu\n",
+    std::printf(
+        "%-22s %9zu %9zu %9zu %7.2f %7.2f %7.2f %7.2f %8.2f %8.2f %6.2f %7zu %9zu %9zu %7zu\n",
         name.c_str(), scene.triangle_count(), std::size_t(effort.points), shadowed,
         median(collect_ms), median(see_ms), median(sort_ms), median(test_ms), median(ours_ms),
         median(theirs_ms), median(theirs_ms) / median(ours_ms), differ,
@@ -186,8 +189,8 @@ int main(int count, char** words)
     if (options.scenes.empty())
         options.scenes = {"builtin:torus", "builtin:robots@2.5", "builtin:wave?n=10000",
             "builtin:wave?n=100000", "builtin:wave?n=1000000", "builtin:wave?n=10000000"};
-    std::printf("%dx%d, %d thread(s), %s, medians of %d, milliseconds\n", options.size, options.size,
-        options.threads, firsthit::instruction_set().c_str(), options.rounds);
+    std::printf("%dx%d, %d thread(s), %s, medians of %d, milliseconds\n", options.size,
+        options.size, options.threads, firsthit::instruction_set().c_str(), options.rounds);
     std::printf("%-22s %9s %9s %9s %7s %7s %7s %7s %8s %8s %6s %7s %9s %9s %7s\n", "scene",
         "triangles", "points", "shadowed", "collect", "see", "sort", "test", "ours", "Embree",
         "ratio", "differ", "set up", "pairs", "open");

@@ -1,6 +1,7 @@
 // main.cpp - the program `firsthit`: parses, calls, reports.
 #include "compare_command.h"
 #include "info_command.h"
+#include "occlusion_command.h"
 #include "output.h"
 #include "render_command.h"
 #include "usage.h"
@@ -22,6 +23,7 @@ constexpr const char* kFooter = R"(Examples:
   firsthit render builtin:torus -o torus.png
   firsthit info bunny.stl
   firsthit compare builtin:torus --against brute
+  firsthit occlusion city.ply --points facade.npy --direction -1,-2,0.5 -o shade.npy
 
 `firsthit COMMAND --help` tells more.)";
 
@@ -41,18 +43,23 @@ int run(int argc, char** argv)
     RenderOptions render;
     InfoOptions info;
     CompareOptions compare;
+    OcclusionOptions occlusion;
     CLI::App* render_command = app.add_subcommand("render", "Make pictures and planes of a scene");
     CLI::App* info_command = app.add_subcommand("info", "Tell what is in a scene");
     CLI::App* compare_command =
         app.add_subcommand("compare", "Hold the item buffer against another ray caster");
+    CLI::App* occlusion_command =
+        app.add_subcommand("occlusion", "Find out which points of any set lights do not reach");
     add_render_options(*render_command, render);
     add_info_options(*info_command, info);
     add_compare_options(*compare_command, compare);
+    add_occlusion_options(*occlusion_command, occlusion);
 
     try {
         app.parse(argc, argv);
         if (*render_command) return run_render(render);
         if (*info_command) return run_info(info);
+        if (*occlusion_command) return run_occlusion(occlusion);
         return run_compare(compare);
     } catch (const CLI::CallForHelp&) {
         print(app.help());

@@ -123,7 +123,8 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         see_through_face(
             light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
-        sort_face(memory.mesh, memory.samples, memory.ranges.span(), bounds, memory.irregular, tasks);
+        sort_face(
+            memory.mesh, memory.samples, memory.ranges.span(), bounds, memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
         test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
         effort.test_ms += watch.lap_ms();
@@ -151,8 +152,8 @@ void test_exact_shadows(const World& world, const ViewMemory& view, std::span<co
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
             find_facing(view, memory.mesh, tiles[tile], lit.blocks, words);
             LightChunk& chunk = *memory.workers[worker];
-            collect_hits(tiles[tile], space, cone ? &*cone : nullptr,
-                std::uint32_t(tile * samples), words, chunk);
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
+                words, chunk);
             see_points(
                 space, chunk, tile * chunk_room(samples), memory.samples, memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);

@@ -20,10 +20,10 @@ namespace firsthit {
 
 /// Where the time went, in milliseconds, and what it took.
 struct ShadowEffort {
-    double collect_ms = 0; // hits to points in the light's space
-    double see_ms = 0;     // vertices and triangles to the light's faces
-    double sort_ms = 0;    // into the cells
-    double test_ms = 0;    // triangles over points
+    double collect_ms = 0;    // hits to points in the light's space
+    double see_ms = 0;        // vertices and triangles to the light's faces
+    double sort_ms = 0;       // into the cells
+    double test_ms = 0;       // triangles over points
     std::uint64_t points = 0; // that a light might reach
     ShadowCounts counts;
 };
