@@ -47,7 +47,7 @@ int run(int argc, char** argv)
     CLI::App* render_command = app.add_subcommand("render", "Make pictures and planes of a scene");
     CLI::App* info_command = app.add_subcommand("info", "Tell what is in a scene");
     CLI::App* compare_command =
-        app.add_subcommand("compare", "Hold the item buffer against another ray caster");
+        app.add_subcommand("compare", "Hold items and shadows against another ray caster");
     CLI::App* occlusion_command =
         app.add_subcommand("occlusion", "Find out which points of any set lights do not reach");
     add_render_options(*render_command, render);

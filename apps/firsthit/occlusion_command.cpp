@@ -70,8 +70,8 @@ Light parse_direction(const std::string& text)
 {
     const glm::dvec3 direction = parse_vector(text);
     if (!has_length(direction))
-        throw UsageError(fmt::format(
-            "'{}' is no direction: accepted is a length from 1e-100 to 1e100", text));
+        throw UsageError(
+            fmt::format("'{}' is no direction: accepted is a length from 1e-100 to 1e100", text));
     return directional_light(direction);
 }
 

@@ -96,8 +96,21 @@ TEST(CompareReport, TheJsonHasTheFiveCountsInOrder)
 {
     const Comparison comparison{
         .pixels = 10, .agree = 6, .ties = 3, .ours_wrong = 0, .theirs_wrong = 1};
-    EXPECT_EQ(comparison_json(comparison).dump(),
+    EXPECT_EQ(comparison_json(comparison, {}).dump(),
         R"({"pixels":10,"agree":6,"ties":3,"ours_wrong":0,"theirs_wrong":1})");
+}
+
+TEST(CompareReport, LitCountsAreThereWhereShadowsWereCompared)
+{
+    const LitComparison lit{.pixels = 10, .agree = 7, .ours_wrong = 2, .theirs_wrong = 1};
+    const LitComparison sum = lit + lit;
+    const Json json = comparison_json({}, sum);
+    EXPECT_EQ(json["lit_pixels"], 20);
+    EXPECT_EQ(json["lit_agree"], 14);
+    EXPECT_EQ(json["lit_ours_wrong"], 4);
+    EXPECT_EQ(json["lit_theirs_wrong"], 2);
+    EXPECT_NE(comparison_text({}, lit).find("lit ours wrong              2\n"), std::string::npos);
+    EXPECT_EQ(comparison_text({}, {}).find("lit"), std::string::npos);
 }
 
 TEST(CompareReport, CountsAreSummed)
