@@ -12,6 +12,7 @@
 #include "scene/pose.h"
 #include "shadow/collect_hits.h"
 #include "shadow/exact_shadows.h"
+#include "shadow/find_facing.h"
 
 #include <firsthit/firsthit.h>
 
@@ -126,8 +127,12 @@ void measure(const std::string& argument, const Options& options)
         chunks.push_back(std::make_unique<LightChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
+<<<<<<< HEAD
         find_facing(
             memory.view, memory.shadows.mesh, memory.tiles[tile], chosen.size(), chosen.data());
+=======
+        find_facing(memory.shadows.mesh, memory.tiles[tile], chosen);
+>>>>>>> main
         collect_hits(memory.tiles[tile], space, nullptr, std::uint32_t(tile * samples),
             chosen.data(), *chunks.back());
     }
@@ -140,7 +145,7 @@ void measure(const std::string& argument, const Options& options)
                 times->clear();
         take_effort(memory.shadows);
         Stopwatch watch;
-        test_exact_shadows(world, memory.view, memory.tiles, memory.shadows, tasks, memory.lit);
+        test_exact_shadows(world, view.camera.eye, memory.tiles, memory.shadows, tasks, memory.lit);
         ours_ms.push_back(watch.lap_ms());
         effort = take_effort(memory.shadows);
         collect_ms.push_back(effort.collect_ms);

@@ -107,7 +107,7 @@ void render_part(const World& world, const View& view, const Region& part, const
             memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[worker]);
         });
         watch.lap_ms();
-        test_exact_shadows(world, memory.view, memory.tiles, memory.shadows, tasks,
+        test_exact_shadows(world, view.camera.eye, memory.tiles, memory.shadows, tasks,
             memory.lit); // which lights reach it?
         memory.shadow_ms += watch.lap_ms();
         tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {

@@ -33,6 +33,14 @@ struct RunBatch {
     alignas(64) double edge1[3][kRuns]; // u = edge1 . d / det
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns]; // t = volume / det
+    alignas(64) double volume_size[kRuns];
+
+    Corners corners(std::size_t i) const
+    {
+        return {glm::vec3(corner[0][i], corner[1][i], corner[2][i]),
+            glm::vec3(corner[3][i], corner[4][i], corner[5][i]),
+            glm::vec3(corner[6][i], corner[7][i], corner[8][i])};
+    }
 };
 
 /// Samples of a block whose item is `id`, a bit each.
@@ -71,7 +79,7 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
         while (rest) {
             const std::uint32_t id = item[std::countr_zero(rest)];
             const std::uint64_t samples = samples_with(item, id);
-            *next++ = {id, std::uint32_t(block), samples};
+            *next++ = {id, std::uint16_t(block), 0, samples};
             rest &= ~samples;
         }
     }
@@ -108,6 +116,7 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
         store(p.edge[1], batch.edge1);
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
+        hn::Store(p.volume_size, d, batch.volume_size + i);
     }
 }
 
@@ -179,12 +188,22 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
                 x_in_tile[lane] = float(block_x) + sample_x[k + lane];
                 y_in_tile[lane] = float(block_y) + sample_y[k + lane];
             }
-            const Corners corners{
-                glm::vec3(batch.corner[0][i], batch.corner[1][i], batch.corner[2][i]),
-                glm::vec3(batch.corner[3][i], batch.corner[4][i], batch.corner[5][i]),
-                glm::vec3(batch.corner[6][i], batch.corner[7][i], batch.corner[8][i])};
-            repair_hits(corners, items, offset, suspect, x_in_tile, y_in_tile, places);
+            repair_hits(batch.corners(i), items, offset, suspect, x_in_tile, y_in_tile, places);
         }
+    }
+}
+
+/// On which side of its plane each run's triangle has the eye.
+void find_sides(const RunBatch& batch, std::span<HitRun> runs)
+{
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double volume = batch.volume[i];
+        int side = volume > 0 ? 1 : -1;
+        if (std::abs(volume) <= 8 * kUlp * batch.volume_size[i]) [[unlikely]] {
+            Effort effort;
+            side = volume_sign(batch.corners(i), effort);
+        }
+        runs[i].eye_side = std::int16_t(side);
     }
 }
 
@@ -198,9 +217,10 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
     const std::size_t count = find_runs(items, places);
     RunBatch batch{};
     for (std::size_t first = 0; first < count; first += kRuns) {
-        const std::span<const HitRun> runs(
+        const std::span<HitRun> runs(
             places.run + first, std::min<std::size_t>(kRuns, count - first));
         set_up_runs(view, runs, batch);
+        find_sides(batch, runs);
         for (std::size_t i = 0; i < runs.size(); ++i)
             resolve_run(batch, i, runs[i], items, sample_x, sample_y, places);
     }

@@ -27,20 +27,6 @@ FIRSTHIT_PURE truth in_cone(const SpotCone& cone, real3 d)
     return versine(axis, d) < real(cone.outer);
 }
 
-/// float(double(a) - origin): one coordinate of to_light (exact/shadow_ray.h) for a light that has
-/// a position, with the same bits.
-FIRSTHIT_PURE real from_light(real a, double origin)
-{
-    alignas(64) float lane[kLanes];
-    store(a, lane);
-    for (int k = 0; k < kLanes; ++k) lane[k] = static_cast<float>(double(lane[k]) - origin);
-    return load(lane);
-}
-FIRSTHIT_PURE real3 from_light(real3 p, const glm::dvec3& origin)
-{
-    return real3(from_light(p.x, origin.x), from_light(p.y, origin.y), from_light(p.z, origin.z));
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace firsthit
 HWY_AFTER_NAMESPACE();

@@ -69,7 +69,7 @@ HWY_INLINE real3 phong(
         if (light.kind == Light::Kind::point) {
             to_light = unit(from_glm(light.position) - points.position);
         } else if (light.kind == Light::Kind::spot) {
-            const real3 d = from_light(points.position, light.origin);
+            const real3 d = points.position - from_glm(light.position);
             share = share * spot_share(light.cone, d);
             if (in_no_lane(share)) continue;
             to_light = unit(real3(0.0f, 0.0f, 0.0f) - d);

@@ -18,7 +18,6 @@ struct ShadeLight {
     Light::Kind kind = Light::Kind::point;
     glm::vec3 color{1};
     glm::vec3 position{0}; // point
-    glm::dvec3 origin{0};  // spot: its position
     glm::vec3 to_light{0}; // directional: unit
     SpotCone cone{};       // spot
 };
@@ -31,7 +30,6 @@ inline ShadeLight shade_light(const Light& light)
         shade.position = glm::vec3(light.position);
         break;
     case Light::Kind::spot:
-        shade.origin = light.position;
         shade.cone = spot_cone(light);
         break;
     case Light::Kind::directional:

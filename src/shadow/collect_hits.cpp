@@ -15,29 +15,26 @@ namespace {
 using Wide = hn::CappedTag<double, 8>;
 using Narrow = hn::Rebind<float, Wide>;
 
-/// to_light for kLanes points, in place.
-HWY_INLINE void move_to_light(const LightSpace& space, float* x, float* y, float* z)
+/// to_light (exact/shadow_ray.h), the same bits.
+HWY_INLINE real3 to_light(const LightSpace& space, real3 p)
 {
+    if (!space.directional) return p - from_glm(space.origin);
+    alignas(64) float x[kLanes], y[kLanes], z[kLanes];
+    store(p.x, x), store(p.y, y), store(p.z, z);
     const Wide d;
     const Narrow f;
     for (int k = 0; k < kLanes; k += int(hn::Lanes(d))) {
-        const auto from = [&](const float* p, double origin) {
-            return hn::Sub(hn::PromoteTo(d, hn::Load(f, p + k)), hn::Set(d, origin));
-        };
-        const auto px = from(x, space.origin.x), py = from(y, space.origin.y),
-                   pz = from(z, space.origin.z);
-        const auto store = [&](auto v, float* p) { hn::Store(hn::DemoteTo(f, v), f, p + k); };
-        if (!space.directional) {
-            store(px, x), store(py, y), store(pz, z);
-            continue;
-        }
-        const auto row = [&](int r) {
+        const auto wide = [&](const float* v) { return hn::PromoteTo(d, hn::Load(f, v + k)); };
+        const auto px = wide(x), py = wide(y), pz = wide(z);
+        const auto row = [&](int r, float* to) {
             const auto xy = hn::Add(hn::Mul(hn::Set(d, space.axes[0][r]), px),
                 hn::Mul(hn::Set(d, space.axes[1][r]), py));
-            return hn::Add(xy, hn::Mul(hn::Set(d, space.axes[2][r]), pz));
+            const auto sum = hn::Add(xy, hn::Mul(hn::Set(d, space.axes[2][r]), pz));
+            hn::Store(hn::DemoteTo(f, sum), f, to + k);
         };
-        store(row(0), x), store(row(1), y), store(row(2), z);
+        row(0, x), row(1, y), row(2, z);
     }
+    return real3(load(x), load(y), load(z));
 }
 
 void collect(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
@@ -45,7 +42,6 @@ void collect(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
 {
     const RealTag d;
     const hn::RebindToUnsigned<RealTag> du;
-    alignas(64) float x[kLanes], y[kLanes], z[kLanes];
     std::size_t next = 0;
     const std::uint32_t blocks =
         std::uint32_t(hits.size / kBlock) * std::uint32_t(hits.size / kBlock);
@@ -57,22 +53,19 @@ void collect(const HitTile& hits, const LightSpace& space, const SpotCone* cone,
             if (lanes == 0) continue;
             const std::size_t at = std::size_t(block) * kBlockSamples + std::size_t(first);
             const real3 p = hit_position(rays.eye, ray_direction(rays, first), load(hits.t + at));
-            store(p.x, x), store(p.y, y), store(p.z, z);
-            move_to_light(space, x, y, z);
+            const real3 q = to_light(space, p);
             if (cone) {
-                const std::uint64_t inside =
-                    bits_of_truth(in_cone(*cone, real3(load(x), load(y), load(z))));
+                const std::uint64_t inside = bits_of_truth(in_cone(*cone, q));
                 chosen[block] &= ~((lanes & ~inside) << first);
                 lanes &= inside;
             }
             const auto mask = truth_of_bits(lanes).lanes;
             const auto numbers = hn::RebindMask(du, mask);
-            hn::CompressStore(hn::Load(d, x), mask, d, chunk.x.data() + next);
-            hn::CompressStore(hn::Load(d, y), mask, d, chunk.y.data() + next);
-            hn::CompressStore(hn::Load(d, z), mask, d, chunk.z.data() + next);
+            hn::CompressStore(q.x.lanes, mask, d, chunk.x.data() + next);
+            hn::CompressStore(q.y.lanes, mask, d, chunk.y.data() + next);
+            hn::CompressStore(q.z.lanes, mask, d, chunk.z.data() + next);
             hn::CompressStore(
                 hn::Iota(du, first_id + std::uint32_t(at)), numbers, du, chunk.id.data() + next);
-            hn::CompressStore(hn::Load(du, hits.item + at), numbers, du, chunk.item.data() + next);
             next += hn::CountTrue(d, mask);
         }
     }

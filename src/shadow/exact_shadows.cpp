@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "hits/hit_position.h"
 #include "shadow/collect_hits.h"
+#include "shadow/find_facing.h"
 
 #include <bit>
 #include <cstring>
@@ -39,12 +40,6 @@ class HitPoints : public LightPoints {
     const LightSpace& space_;
 };
 
-Corners eye_corners(const ViewMemory& view, std::uint32_t triangle)
-{
-    const glm::uvec3& c = view.index[triangle];
-    return {glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
-}
-
 /// Takes the samples that are shadowed out of the words.
 void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint64_t* words)
 {
@@ -60,18 +55,6 @@ void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint
 }
 
 } // namespace
-
-void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
-    std::size_t blocks, std::uint64_t* facing)
-{
-    Effort effort;
-    std::fill_n(facing, blocks, std::uint64_t(0));
-    for (const HitRun& run : hits.runs) {
-        const int eye = volume_sign(eye_corners(view, run.item), effort);
-        if (eye != 0 && eye == light_side(mesh.space, mesh.corners(run.item), effort))
-            facing[run.block] |= run.samples;
-    }
-}
 
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
 {
@@ -123,15 +106,14 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         see_through_face(
             light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
-        sort_face(
-            memory.mesh, memory.samples, memory.ranges.span(), bounds, memory.irregular, tasks);
+        sort_face(memory.mesh, memory.samples.span(), memory.ranges.span(), bounds, memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
         test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
         effort.test_ms += watch.lap_ms();
     }
 }
 
-void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
+void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
     ShadowMemory& memory, Tasks& tasks, LitBits& lit)
 {
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
@@ -142,7 +124,7 @@ void test_exact_shadows(const World& world, const ViewMemory& view, std::span<co
     resize(memory, tiles.size(), samples, tasks.threads());
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
         const Light& light = world.lights[l];
-        const LightSpace space = light_space(light, view.pencil.eye);
+        const LightSpace space = light_space(light, eye);
         std::optional<SpotCone> cone;
         if (light.kind == Light::Kind::spot) cone = spot_cone(light);
         Stopwatch watch;
@@ -150,12 +132,12 @@ void test_exact_shadows(const World& world, const ViewMemory& view, std::span<co
         memory.effort.see_ms += watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
-            find_facing(view, memory.mesh, tiles[tile], lit.blocks, words);
+            find_facing(memory.mesh, tiles[tile], {words, lit.blocks});
             LightChunk& chunk = *memory.workers[worker];
-            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
-                words, chunk);
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr,
+                std::uint32_t(tile * samples), words, chunk);
             see_points(
-                space, chunk, tile * chunk_room(samples), memory.samples, memory.parts[tile]);
+                space, chunk, tile * chunk_room(samples), memory.samples.span(), memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         memory.effort.collect_ms += watch.lap_ms();

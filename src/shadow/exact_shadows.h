@@ -7,7 +7,6 @@
 #include "hits/lit_tile.h"
 #include "visibility/irregular_zbuffer.h"
 #include "visibility/see_points.h"
-#include "visibility/view_memory.h"
 
 #include <firsthit/scene.h>
 
@@ -32,7 +31,7 @@ struct ShadowEffort {
 struct ShadowMemory {
     LightMesh mesh;
     IrregularMemory irregular;
-    IrregularSamples samples;      // (chunks, chunk_room)
+    Buffer<IrregularSample> samples; // (chunks, chunk_room)
     std::vector<FaceParts> parts;  // (chunks)
     Buffer<SampleRange> ranges;    // (chunks) of one face
     Buffer<std::uint8_t> shadowed; // (points) of one light
@@ -68,16 +67,12 @@ struct LitBits {
 /// A tile's part of all lights as floats, in `memory`.
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
-/// The samples whose item's plane has the light on the side that the eye is on, a bit each.
-/// blocks  of the tile
-void find_facing(const ViewMemory& view, const LightMesh& mesh, const HitTile& hits,
-    std::size_t blocks, std::uint64_t* facing);
-
 /// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
 /// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle
 /// shadows it (exact/shadow_ray.h).
-/// tiles  of one picture part, all of one size; view is what they were resolved from
-void test_exact_shadows(const World& world, const ViewMemory& view, std::span<const HitTile> tiles,
+/// eye    where the hits were seen from
+/// tiles  of one picture part, all of one size, whose items lie one behind the other
+void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
     ShadowMemory& memory, Tasks& tasks, LitBits& lit);
 
 } // namespace firsthit

@@ -10,10 +10,11 @@ constexpr std::size_t kChunk = 4096; // points
 
 class GivenPoints : public LightPoints {
   public:
-    GivenPoints(std::span<const glm::vec3> points, const LightSpace& space)
-        : points_(points),
-          space_(space)
+    GivenPoints(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
+        const LightSpace& space)
+        : points_(points), space_(space)
     {
+        if (!receivers.empty()) item = receivers.data();
     }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
@@ -43,12 +44,11 @@ void test_points(const World& world, const LightSpace& space, std::span<const gl
             const glm::vec3 d = to_light(space, points[first + k]);
             chunk.x[k] = d.x, chunk.y[k] = d.y, chunk.z[k] = d.z;
             chunk.id[k] = std::uint32_t(first + k);
-            chunk.item[k] = receivers.empty() ? kNoItem : receivers[first + k];
         }
-        see_points(space, chunk, number * chunk_room(kChunk), memory.samples, memory.parts[number]);
+        see_points(space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
         std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
     });
-    test_chunks(GivenPoints(points, memory.mesh.space), memory, tasks);
+    test_chunks(GivenPoints(points, receivers, memory.mesh.space), memory, tasks);
     std::copy_n(memory.shadowed.data(), points.size(), shadowed.data());
 }
 

@@ -86,36 +86,31 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells)
     return grid;
 }
 
-void sort_samples(const IrregularSamples& from, std::span<const SampleRange> ranges,
+void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks)
 {
     const CellGrid grid = cells.grid;
     const std::size_t count = std::size_t(grid.cells());
     const Shares shares(ranges.size(), std::size_t(tasks.threads()));
     cells.cursor.resize(shares.count * count);
+    cells.cell_of.resize(from.size() + 16);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &cells.cursor[share * count];
         std::fill_n(counts, count, 0u);
-        for (const SampleRange& range : shares.of(ranges, share))
-            for (std::size_t k = range.first; k < range.first + range.count; ++k)
-                ++counts[grid.row(from.y[k]) * grid.columns + grid.column(from.x[k])];
+        for (const SampleRange& range : shares.of(ranges, share)) {
+            std::uint16_t* cell = &cells.cell_of[range.first];
+            place_samples(grid, from.subspan(range.first, range.count), cell);
+            for (std::size_t k = 0; k < range.count; ++k) ++counts[cell[k]];
+        }
     });
-    const std::uint64_t total = start_cells(shares.count, count, cells.cursor, cells.sample_start);
+    const std::uint64_t total =
+        start_cells(shares.count, count, cells.cursor, cells.sample_start);
     cells.samples.resize(total, total / 4 + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &cells.cursor[share * count];
-        IrregularSamples& to = cells.samples;
-        for (const SampleRange& range : shares.of(ranges, share)) {
-            for (std::size_t k = range.first; k < range.first + range.count; ++k) {
-                const float x = from.x[k], y = from.y[k];
-                const std::uint32_t at = cursor[grid.row(y) * grid.columns + grid.column(x)]++;
-                to.x[at] = x;
-                to.y[at] = y;
-                to.w[at] = from.w[k];
-                to.id[at] = from.id[k];
-                to.item[at] = from.item[k];
-            }
-        }
+        for (const SampleRange& range : shares.of(ranges, share))
+            for (std::size_t k = range.first; k < range.first + range.count; ++k)
+                cells.samples[cursor[cells.cell_of[k]]++] = from[k];
     });
 }
 

@@ -30,6 +30,16 @@ struct CellGrid {
     }
 };
 
+/// The cells of samples, 16 at a time: cell[k] of from[k]. Up to 15 more are written.
+void place_samples(
+    const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell);
+
+/// Bounds of samples.
+SampleBounds bounds_of(std::span<const IrregularSample> samples);
+
+/// At most this many cells.
+inline constexpr std::size_t kMostCells = 1 << 14;
+
 /// About `cells` cells over the bounds, about square.
 CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 
@@ -37,15 +47,17 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    IrregularSamples samples;             // by cell
+    Buffer<IrregularSample> samples; // by cell
     Buffer<std::uint32_t> sample_start;   // (cells + 1)
     Buffer<SeenTriangle> triangles;       // by cell, then in their order
     Buffer<std::uint32_t> triangle_start; // (cells + 1)
     Buffer<std::uint32_t> cursor;         // (ranges, cells), while sorting
+    Buffer<std::uint16_t> cell_of; // (samples) while sorting
 };
 
 /// Sorts the samples of all ranges.
-void sort_samples(const IrregularSamples& from, std::span<const SampleRange> ranges,
+/// from  all that the ranges lie in
+void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
 /// Copies each triangle that may shadow a sample to all cells that its box meets.

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "visibility/irregular_leaf.cpp"
 #include "base/simd.h"
 
+#include "visibility/irregular_cells.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_set_up-inl.h"
 #include "visibility/sample_registers-inl.h"
@@ -42,32 +43,12 @@ struct CellSlots {
 };
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-void frame_cell(const LightMesh& mesh, const IrregularSamples& samples, const SampleRange& range,
-    LeafMemory& leaf)
+void frame_cell(
+    const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
 {
-    leaf.count = range.count;
-    leaf.bounds = bounds_of(samples, range);
-    const Group d;
-    const std::size_t lanes = hn::Lanes(d);
-    auto largest = hn::Zero(d);
-    float rest = 0, nearest = -std::numeric_limits<float>::infinity();
-    auto nearest_v = hn::Set(d, nearest);
-    std::size_t k = 0;
-    for (; k + lanes <= range.count; k += lanes) {
-        const auto w = hn::LoadU(d, samples.w.data() + range.first + k);
-        const auto number = hn::Eq(w, w);
-        largest = hn::Max(largest, hn::IfThenElseZero(number, hn::Abs(w)));
-        nearest_v = hn::IfThenElse(number, hn::Max(nearest_v, w), nearest_v);
-    }
-    for (; k < range.count; ++k) {
-        const float w = samples.w[range.first + k];
-        if (w != w) continue;
-        rest = std::max(rest, std::abs(w));
-        nearest = std::max(nearest, w);
-    }
-    leaf.largest_w = std::max(rest, hn::GetLane(hn::MaxOfLanes(d, largest)));
-    leaf.nearest_w = std::max(nearest, hn::GetLane(hn::MaxOfLanes(d, nearest_v)));
-
+    leaf.count = samples.size();
+    leaf.bounds = bounds_of(samples);
+    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w), std::abs(leaf.bounds.nearest_w)) : leaf.bounds.nearest_w;
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
@@ -88,7 +69,7 @@ void frame_cell(const LightMesh& mesh, const IrregularSamples& samples, const Sa
     double least = 0, most = 0; // of the largest coordinate, times two, plus reach
     if (directional) {
         const auto away = [](double low, double high) { return std::max({low, -high, 0.0}); };
-        const double farthest = b.farthest_w, near = leaf.nearest_w;
+        const double farthest = b.farthest_w, near = b.nearest_w;
         least = 2 * std::max({away(b.x0, b.x1), away(b.y0, b.y1), away(farthest, near)}) + reach;
         most = 2 * std::max({most_x, most_y, double(leaf.largest_w)}) + reach;
     } else {
@@ -101,26 +82,38 @@ void frame_cell(const LightMesh& mesh, const IrregularSamples& samples, const Sa
 
 /// Copies the samples as offsets from the middle, whole groups. What fills up the last group is
 /// infinitely near to the light.
-void copy_samples(const IrregularSamples& samples, const SampleRange& range, LeafMemory& leaf)
+void copy_samples(
+    std::span<const IrregularSample> samples, const std::uint32_t* item, LeafMemory& leaf)
 {
-    const std::size_t padded = (range.count + kGroup - 1) / kGroup * kGroup;
+    const Group d;
+    const hn::RebindToUnsigned<Group> du;
+    const std::size_t lanes = hn::Lanes(d);
+    const std::size_t padded = (samples.size() + kGroup - 1) / kGroup * kGroup;
     for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(padded, 4096);
     leaf.item.resize(padded, 4096);
     leaf.shadowed.resize(padded / kGroup, 256);
     std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
-    const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
-    for (std::size_t k = 0; k < range.count; ++k) {
-        leaf.x[k] = samples.x[range.first + k] - xm;
-        leaf.y[k] = samples.y[range.first + k] - ym;
-        leaf.w[k] = samples.w[range.first + k];
-        leaf.item[k] = samples.item[range.first + k];
+    const auto xm = hn::Set(d, float(leaf.middle_x)), ym = hn::Set(d, float(leaf.middle_y));
+    const auto copy = [&](const IrregularSample* from, std::size_t to) {
+        auto x = xm, y = xm, w = xm, id = xm;
+        hn::LoadInterleaved4(d, &from->x, x, y, w, id);
+        hn::Store(hn::Sub(x, xm), d, leaf.x.data() + to);
+        hn::Store(hn::Sub(y, ym), d, leaf.y.data() + to);
+        hn::Store(w, d, leaf.w.data() + to);
+        hn::Store(hn::BitCast(du, id), du, leaf.item.data() + to);
+    };
+    std::size_t k = 0;
+    for (; k + lanes <= samples.size(); k += lanes) copy(&samples[k], k);
+    for (; k < padded; k += lanes) {
+        IrregularSample last[kGroup];
+        for (std::size_t i = 0; i < lanes; ++i) {
+            last[i] = samples[std::min(k + i, samples.size() - 1)];
+            if (k + i >= samples.size()) last[i].w = std::numeric_limits<float>::infinity();
+        }
+        copy(last, k);
     }
-    for (std::size_t k = range.count; k < padded; ++k) {
-        leaf.x[k] = leaf.x[range.count - 1];
-        leaf.y[k] = leaf.y[range.count - 1];
-        leaf.w[k] = std::numeric_limits<float>::infinity();
-        leaf.item[k] = 0xFFFFFFFFu;
-    }
+    for (std::size_t i = 0; i < padded; ++i)
+        leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
 }
 
 /// The slots that a group reaches.
@@ -192,9 +185,9 @@ HWY_INLINE std::uint64_t groups_of(const GroupTable& table, const std::uint8_t (
 }
 
 /// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
-HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh, const IrregularSamples& samples,
-    const SampleRange& range, const LightPoints& points, std::uint32_t triangle, std::size_t first,
-    std::uint32_t open, LeafMemory& leaf)
+HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh,
+    std::span<const IrregularSample> samples, const LightPoints& points, std::uint32_t triangle,
+    std::size_t first, std::uint32_t open, LeafMemory& leaf)
 {
     const Corners corners = mesh.corners(triangle);
     std::uint32_t shadowed = 0;
@@ -202,7 +195,7 @@ HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh, const IrregularSa
         const std::size_t k = first + std::size_t(std::countr_zero(open));
         if (k >= leaf.count) break;
         ++leaf.counts.uncertain;
-        const glm::vec3 d = points.in_light_space(samples.id[range.first + k]);
+        const glm::vec3 d = points.in_light_space(samples[k].id);
         if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
     }
     return shadowed;
@@ -211,8 +204,7 @@ HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh, const IrregularSa
 /// A cell, as the tests of its triangles see it.
 struct CellTest {
     const LightMesh& mesh;
-    const IrregularSamples& samples;
-    const SampleRange& range;
+    std::span<const IrregularSample> samples;
     const LightPoints& points;
     float edge_error;
 };
@@ -264,7 +256,7 @@ HWY_INLINE void test_groups(
                 std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
-                shadowed |= settle_group(cell.mesh, cell.samples, cell.range, cell.points,
+                shadowed |= settle_group(cell.mesh, cell.samples, cell.points,
                     batch.triangle[i], group * kGroup, open, leaf);
         }
         if (shadowed == before) continue;
@@ -296,19 +288,19 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
     batch.count = 0;
 }
 
-void test_samples(const LightMesh& mesh, const IrregularSamples& samples, const SampleRange& range,
+void test_samples(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& leaf,
     std::uint8_t* shadowed)
 {
-    frame_cell(mesh, samples, range, leaf);
-    copy_samples(samples, range, leaf);
+    frame_cell(mesh, samples, leaf);
+    copy_samples(samples, points.item, leaf);
     const SampleBounds& b = leaf.bounds;
     const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
     const CellSlots slots{slots_over(b.x0 - xm, b.x1 - xm), slots_over(b.y0 - ym, b.y1 - ym),
-        slots_over(b.farthest_w, leaf.nearest_w)};
+        slots_over(b.farthest_w, b.nearest_w)};
     fill_tables(slots, leaf);
 
-    const CellTest cell{mesh, samples, range, points, leaf_edge_error(leaf)};
+    const CellTest cell{mesh, samples, points, leaf_edge_error(leaf)};
     LeafBatch& batch = leaf.batch;
     for (const SeenTriangle& triangle : triangles) {
         if (!may_shadow(triangle, b)) continue;
@@ -329,33 +321,8 @@ void test_samples(const LightMesh& mesh, const IrregularSamples& samples, const 
     for (std::size_t group = 0; group < leaf.shadowed.size(); ++group)
         for (std::uint32_t rest = leaf.shadowed[group]; rest; rest &= rest - 1) {
             const std::size_t k = group * kGroup + std::size_t(std::countr_zero(rest));
-            shadowed[samples.id[range.first + k]] = 1;
+            shadowed[samples[k].id] = 1;
         }
-}
-
-SampleBounds find_bounds(const IrregularSamples& samples, const SampleRange& range)
-{
-    const Group d;
-    const std::size_t lanes = hn::Lanes(d);
-    const auto infinite = hn::Inf(d);
-    auto x0 = infinite, y0 = infinite, x1 = hn::Neg(infinite), y1 = x1, w = infinite;
-    std::size_t k = range.first;
-    const std::size_t last = range.first + range.count;
-    for (; k + lanes <= last; k += lanes) {
-        const auto x = hn::LoadU(d, samples.x.data() + k), y = hn::LoadU(d, samples.y.data() + k);
-        const auto z = hn::LoadU(d, samples.w.data() + k);
-        x0 = hn::Min(x0, x), x1 = hn::Max(x1, x);
-        y0 = hn::Min(y0, y), y1 = hn::Max(y1, y);
-        w = hn::Min(w, hn::IfThenElse(hn::Eq(z, z), z, hn::Neg(infinite)));
-    }
-    const auto least = [&](auto v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
-    const auto most = [&](auto v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    SampleBounds bounds{least(x0), least(y0), most(x1), most(y1), least(w)};
-    for (; k < last; ++k) {
-        const float x = samples.x[k], y = samples.y[k], z = samples.w[k];
-        bounds.add({x, y, x, y, z == z ? z : -std::numeric_limits<float>::infinity()});
-    }
-    return bounds;
 }
 
 } // namespace
@@ -367,19 +334,12 @@ HWY_AFTER_NAMESPACE();
 namespace firsthit {
 
 HWY_EXPORT(test_samples);
-HWY_EXPORT(find_bounds);
 
-void test_leaf(const LightMesh& mesh, const IrregularSamples& samples, const SampleRange& range,
+void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,
     std::span<std::uint8_t> shadowed)
 {
-    HWY_DYNAMIC_DISPATCH(test_samples)
-    (mesh, samples, range, triangles, points, memory, shadowed.data());
-}
-
-SampleBounds bounds_of(const IrregularSamples& samples, const SampleRange& range)
-{
-    return HWY_DYNAMIC_DISPATCH(find_bounds)(samples, range);
+    HWY_DYNAMIC_DISPATCH(test_samples)(mesh, samples, triangles, points, memory, shadowed.data());
 }
 
 } // namespace firsthit

@@ -17,6 +17,9 @@ class LightPoints {
     virtual ~LightPoints() = default;
     /// The point in the light's space.
     virtual glm::vec3 in_light_space(std::uint32_t id) const = 0;
+
+    /// The triangle each point lies on, by id, which does not shadow it; or null.
+    const std::uint32_t* item = nullptr;
 };
 
 /// How much work the samples took.
@@ -76,8 +79,7 @@ struct LeafMemory {
     // The cell.
     std::size_t count = 0;
     SampleBounds bounds;
-    float nearest_w = 0; // of all samples' w that are numbers
-    float largest_w = 0; // of their sizes
+    float largest_w = 0; // the largest size of a w
     double middle_x = 0, middle_y = 0;
     double half_x = 0, half_y = 0;               // largest offsets
     double error_x = 0, error_y = 0;             // of a sample's place
@@ -86,11 +88,8 @@ struct LeafMemory {
 
 /// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is
 /// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
-void test_leaf(const LightMesh& mesh, const IrregularSamples& samples, const SampleRange& range,
+void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,
     std::span<std::uint8_t> shadowed);
-
-/// The bounds of a range of samples.
-SampleBounds bounds_of(const IrregularSamples& samples, const SampleRange& range);
 
 } // namespace firsthit

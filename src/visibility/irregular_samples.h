@@ -9,19 +9,13 @@
 
 namespace firsthit {
 
-/// Structure of arrays. See LightFace for x, y and w. A w that is no number stands for a depth
-/// whose inverse is not finite: such samples are always decided exactly.
-struct IrregularSamples {
-    Buffer<float> x, y, w;
-    Buffer<std::uint32_t> id;   // the caller's number of the point
-    Buffer<std::uint32_t> item; // the triangle it lies on, which does not shadow it; or kNoItem
-
-    void resize(std::size_t count, std::size_t spare = 0)
-    {
-        for (auto* values : {&x, &y, &w}) values->resize(count, spare);
-        for (auto* values : {&id, &item}) values->resize(count, spare);
-    }
+/// See LightFace for x, y and w. A w that is no number stands for a depth whose inverse is not
+/// finite: such samples are always decided exactly.
+struct IrregularSample {
+    float x, y, w;
+    std::uint32_t id; // the caller's number of the point
 };
+static_assert(sizeof(IrregularSample) == 16);
 
 /// Consecutive samples.
 struct SampleRange {
@@ -36,6 +30,7 @@ struct SampleBounds {
     float x1 = -std::numeric_limits<float>::infinity();
     float y1 = -std::numeric_limits<float>::infinity();
     float farthest_w = std::numeric_limits<float>::infinity();
+    float nearest_w = -std::numeric_limits<float>::infinity();
 
     void add(const SampleBounds& other)
     {
@@ -44,6 +39,7 @@ struct SampleBounds {
         x1 = std::max(x1, other.x1);
         y1 = std::max(y1, other.y1);
         farthest_w = std::min(farthest_w, other.farthest_w);
+        nearest_w = std::max(nearest_w, other.nearest_w);
     }
 };
 

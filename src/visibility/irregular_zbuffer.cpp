@@ -10,13 +10,13 @@ constexpr std::size_t kManyTriangles = 128; // where there are more than these t
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
-void sort(const IrregularSamples& samples, std::span<const SampleRange> sample_ranges,
+void sort(std::span<const IrregularSample> samples, std::span<const SampleRange> sample_ranges,
     std::size_t sample_count, std::span<const SeenTriangle> triangles,
     std::span<const SampleRange> triangle_ranges, const SampleBounds& bounds, IrregularCells& cells,
     Tasks& tasks)
 {
     cells.bounds = bounds;
-    std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, 1 << 14);
+    std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
         cells.grid = cell_grid(bounds, wanted);
         if (sort_triangles(triangles, triangle_ranges, cells, tasks)) break;
@@ -34,16 +34,17 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
                       count = cells.triangle_start[cell + 1] - first;
     if (range.count == 0 || count == 0) return;
     const auto triangles = cells.triangles.span().subspan(first, count);
+    const auto own = cells.samples.span().subspan(range.first, range.count);
     if (level == kCellLevels || range.count <= kManySamples || count <= kManyTriangles) {
-        test_leaf(mesh, cells.samples, range, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all{0, count};
-    sort(cells.samples, {&range, 1}, range.count, triangles, {&all, 1},
-        bounds_of(cells.samples, range), inner, serial);
+    sort(cells.samples.span(), {&range, 1}, range.count, triangles, {&all, 1},
+        bounds_of(own), inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
-        test_leaf(mesh, cells.samples, range, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
@@ -52,7 +53,7 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
 
 } // namespace
 
-void sort_face(const LightMesh& mesh, const IrregularSamples& samples,
+void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
     Tasks& tasks)
 {

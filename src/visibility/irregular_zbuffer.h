@@ -39,7 +39,7 @@ struct IrregularMemory {
 /// Sorts the samples of one face, and the triangles that see_through_face found for the same bounds.
 /// ranges  of `samples`; no two hold the same id
 /// bounds  of all of them
-void sort_face(const LightMesh& mesh, const IrregularSamples& samples,
+void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
     Tasks& tasks);
 

@@ -50,7 +50,7 @@ HWY_INLINE hn::Mask<Reals> on_face(const Points& p, int face)
 
 /// Appends the samples of one face. A directional light has only one.
 void see_face(const LightSpace& space, const LightChunk& chunk, int number, std::size_t& next,
-    IrregularSamples& samples, SampleBounds& bounds)
+    std::span<IrregularSample> samples, SampleBounds& bounds)
 {
     const Reals d;
     const Numbers du;
@@ -58,7 +58,7 @@ void see_face(const LightSpace& space, const LightChunk& chunk, int number, std:
     const LightFace face = light_face(directional, number);
     const Real infinite = hn::Inf(d), least = hn::Neg(infinite);
     const Real one = hn::Set(d, 1.0f), greatest = hn::Set(d, kGreatestW);
-    Real x0 = infinite, y0 = infinite, x1 = least, y1 = least, far = infinite;
+    Real x0 = infinite, y0 = infinite, x1 = least, y1 = least, far = infinite, near = least;
     for (std::size_t k = 0; k < chunk.count; k += hn::Lanes(d)) {
         const Points p = load_points(chunk, k);
         const auto chosen = directional ? p.valid : on_face(p, number);
@@ -79,18 +79,17 @@ void see_face(const LightSpace& space, const LightChunk& chunk, int number, std:
         y0 = hn::IfThenElse(chosen, hn::Min(y0, y), y0);
         y1 = hn::IfThenElse(chosen, hn::Max(y1, y), y1);
         far = hn::IfThenElse(chosen, hn::Min(far, number_w), far);
-        const auto numbers = hn::RebindMask(du, chosen);
-        hn::CompressStore(x, chosen, d, samples.x.data() + next);
-        hn::CompressStore(y, chosen, d, samples.y.data() + next);
-        hn::CompressStore(w, chosen, d, samples.w.data() + next);
-        hn::CompressStore(hn::Load(du, chunk.id.data() + k), numbers, du, samples.id.data() + next);
-        hn::CompressStore(
-            hn::Load(du, chunk.item.data() + k), numbers, du, samples.item.data() + next);
+        near = hn::IfThenElse(chosen, hn::Max(near, number_w), near);
+        const auto id = hn::Load(du, chunk.id.data() + k);
+        const auto pack = [&](Real v) { return hn::Compress(v, chosen); };
+        hn::StoreInterleaved4(pack(x), pack(y), pack(w), pack(hn::BitCast(d, id)), d,
+            &samples[next].x);
         next += hn::CountTrue(d, chosen);
     }
     const auto lowest = [&](Real v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
     const auto highest = [&](Real v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    bounds = {lowest(x0), lowest(y0), highest(x1), highest(y1), lowest(far)};
+    bounds = {lowest(x0), lowest(y0), highest(x1), highest(y1), lowest(far),
+        highest(near)};
 }
 
 /// The faces that see a point of the chunk, a bit each.
@@ -107,7 +106,7 @@ unsigned faces_of(const LightChunk& chunk)
 }
 
 void see(const LightSpace& space, const LightChunk& chunk, std::size_t first,
-    IrregularSamples& samples, FaceParts& parts)
+    std::span<IrregularSample> samples, FaceParts& parts)
 {
     const unsigned faces = space.directional ? 1 : faces_of(chunk);
     std::size_t next = first;
@@ -131,7 +130,7 @@ namespace firsthit {
 HWY_EXPORT(see);
 
 void see_points(const LightSpace& space, const LightChunk& chunk, std::size_t first,
-    IrregularSamples& samples, FaceParts& parts)
+    std::span<IrregularSample> samples, FaceParts& parts)
 {
     HWY_DYNAMIC_DISPATCH(see)(space, chunk, first, samples, parts);
 }

@@ -6,20 +6,21 @@
 #include "visibility/light_face.h"
 
 #include <array>
+#include <span>
 
 namespace firsthit {
 
 /// Some points in the light's space, structure of arrays; a worker's memory.
 struct LightChunk {
     Buffer<float> x, y, z;
-    Buffer<std::uint32_t> id, item; // see IrregularSamples
+    Buffer<std::uint32_t> id; // see IrregularSample
     std::size_t count = 0;
 
     /// Room for `points` and a register more.
     void reserve(std::size_t points)
     {
         for (auto* values : {&x, &y, &z}) values->resize(points + 16);
-        for (auto* values : {&id, &item}) values->resize(points + 16);
+        id.resize(points + 16);
     }
 };
 
@@ -38,6 +39,6 @@ inline std::size_t chunk_room(std::size_t points)
 /// Writes the chunk's points as samples from number `first` on, face by face. Points without a
 /// shadow ray (has_shadow_ray) are left out.
 void see_points(const LightSpace& space, const LightChunk& chunk, std::size_t first,
-    IrregularSamples& samples, FaceParts& parts);
+    std::span<IrregularSample> samples, FaceParts& parts);
 
 } // namespace firsthit
