@@ -182,13 +182,16 @@ void render_frame(const World& world, const View& view, const Settings& settings
     // pass.
     const bool together = settings.samples == 1;
     const std::span<const Aov> aovs = settings.aovs;
+    const bool shadows = settings.shadows == Shadows::exact && !world.lights.empty();
+    const bool lit = shadows && std::find(aovs.begin(), aovs.end(), Aov::lit) != aovs.end();
     if (settings.color || together)
         render_pass(world, view,
             {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
-                settings.color && settings.shadows == Shadows::exact && !world.lights.empty()},
+                (settings.color && shadows) || (together && lit)},
             settings.tile_size, memory, tasks, film, stats);
     if (!together && !aovs.empty())
-        render_pass(world, view, {1, false, aovs}, settings.tile_size, memory, tasks, film, stats);
+        render_pass(
+            world, view, {1, false, aovs, lit}, settings.tile_size, memory, tasks, film, stats);
     collect(memory, tasks.threads(), stats);
 }
 

@@ -47,8 +47,8 @@ inline constexpr float kShadowMargin = 0x1p-21f;
 /// A light's frame.
 struct LightSpace {
     bool directional = false;
-    glm::vec3 origin{0};  // point, spot: where the light is
-    glm::dmat3 axes{1};   // directional: rows: across, across, the way the light goes; orthonormal
+    glm::vec3 origin{0}; // point, spot: where the light is
+    glm::dmat3 axes{1};  // directional: rows: across, across, the way the light goes; orthonormal
     float reach = 0; // what else was rounded on the way: the largest coordinates of light and eye
 };
 

@@ -5,6 +5,7 @@
 #include "hits/hit_position.h"
 #include "shadow/collect_hits.h"
 #include "shadow/find_facing.h"
+#include "shadow/lift_points.h"
 
 #include <bit>
 #include <cstring>
@@ -17,11 +18,7 @@ namespace {
 /// The points behind the ids: number of a sample in all tiles.
 class HitPoints : public LightPoints {
   public:
-    HitPoints(std::span<const HitTile> tiles, const LightSpace& space)
-        : tiles_(tiles),
-          space_(space)
-    {
-    }
+    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh) : tiles_(tiles), mesh_(mesh) {}
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
@@ -32,12 +29,13 @@ class HitPoints : public LightPoints {
         const int k = int(at % kBlockSamples);
         const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
                     y = float(block / blocks_x * kBlock) + float(block_y(k));
-        return to_light(space_, hit_position(tile.frame, x, y, tile.t[at]));
+        const glm::vec3 d = to_light(mesh_.space, hit_position(tile.frame, x, y, tile.t[at]));
+        return lift_point(mesh_, tile.item[at], d);
     }
 
   private:
     std::span<const HitTile> tiles_;
-    const LightSpace& space_;
+    const LightMesh& mesh_;
 };
 
 /// Takes the samples that are shadowed out of the words.
@@ -106,7 +104,8 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         see_through_face(
             light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
-        sort_face(memory.mesh, memory.samples.span(), memory.ranges.span(), bounds, memory.irregular, tasks);
+        sort_face(memory.mesh, memory.samples.span(), memory.ranges.span(), bounds,
+            memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
         test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
         effort.test_ms += watch.lap_ms();
@@ -134,14 +133,15 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
             find_facing(memory.mesh, tiles[tile], {words, lit.blocks});
             LightChunk& chunk = *memory.workers[worker];
-            collect_hits(tiles[tile], space, cone ? &*cone : nullptr,
-                std::uint32_t(tile * samples), words, chunk);
-            see_points(
-                space, chunk, tile * chunk_room(samples), memory.samples.span(), memory.parts[tile]);
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
+                words, chunk);
+            lift_points(memory.mesh, tiles[tile].item, std::uint32_t(tile * samples), chunk);
+            see_points(space, chunk, tile * chunk_room(samples), memory.samples.span(),
+                memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         memory.effort.collect_ms += watch.lap_ms();
-        test_chunks(HitPoints(tiles, memory.mesh.space), memory, tasks);
+        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks);
         watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
             remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,

@@ -1,6 +1,8 @@
 // point_shadows.cpp - shadows of points that are no pixels.
 #include "shadow/point_shadows.h"
 
+#include "shadow/lift_points.h"
+
 #include <algorithm>
 
 namespace firsthit {
@@ -11,20 +13,21 @@ constexpr std::size_t kChunk = 4096; // points
 class GivenPoints : public LightPoints {
   public:
     GivenPoints(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
-        const LightSpace& space)
-        : points_(points), space_(space)
+        const LightMesh& mesh)
+        : points_(points),
+          mesh_(mesh)
     {
         if (!receivers.empty()) item = receivers.data();
     }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
-        return to_light(space_, points_[id]);
+        return lift_point(mesh_, item ? item[id] : kNoItem, to_light(mesh_.space, points_[id]));
     }
 
   private:
     std::span<const glm::vec3> points_;
-    const LightSpace& space_;
+    const LightMesh& mesh_;
 };
 
 } // namespace
@@ -45,10 +48,13 @@ void test_points(const World& world, const LightSpace& space, std::span<const gl
             chunk.x[k] = d.x, chunk.y[k] = d.y, chunk.z[k] = d.z;
             chunk.id[k] = std::uint32_t(first + k);
         }
-        see_points(space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
+        if (!receivers.empty())
+            lift_points(memory.mesh, receivers.data() + first, std::uint32_t(first), chunk);
+        see_points(
+            space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
         std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
     });
-    test_chunks(GivenPoints(points, receivers, memory.mesh.space), memory, tasks);
+    test_chunks(GivenPoints(points, receivers, memory.mesh), memory, tasks);
     std::copy_n(memory.shadowed.data(), points.size(), shadowed.data());
 }
 

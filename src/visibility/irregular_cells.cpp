@@ -103,8 +103,7 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
             for (std::size_t k = 0; k < range.count; ++k) ++counts[cell[k]];
         }
     });
-    const std::uint64_t total =
-        start_cells(shares.count, count, cells.cursor, cells.sample_start);
+    const std::uint64_t total = start_cells(shares.count, count, cells.cursor, cells.sample_start);
     cells.samples.resize(total, total / 4 + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &cells.cursor[share * count];

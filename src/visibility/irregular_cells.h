@@ -47,12 +47,12 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    Buffer<IrregularSample> samples; // by cell
+    Buffer<IrregularSample> samples;      // by cell
     Buffer<std::uint32_t> sample_start;   // (cells + 1)
     Buffer<SeenTriangle> triangles;       // by cell, then in their order
     Buffer<std::uint32_t> triangle_start; // (cells + 1)
     Buffer<std::uint32_t> cursor;         // (ranges, cells), while sorting
-    Buffer<std::uint16_t> cell_of; // (samples) while sorting
+    Buffer<std::uint16_t> cell_of;        // (samples) while sorting
 };
 
 /// Sorts the samples of all ranges.

@@ -43,12 +43,13 @@ struct CellSlots {
 };
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-void frame_cell(
-    const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
+void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
 {
     leaf.count = samples.size();
     leaf.bounds = bounds_of(samples);
-    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w), std::abs(leaf.bounds.nearest_w)) : leaf.bounds.nearest_w;
+    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
+                                                  std::abs(leaf.bounds.nearest_w))
+                                            : leaf.bounds.nearest_w;
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
@@ -78,6 +79,11 @@ void frame_cell(
     }
     leaf.least_margin = double(kShadowMargin) * least * (1 - 0x1p-20);
     leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20);
+    // And of the corners: corner_margin, over c as well.
+    const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
+                 most_w = directional ? 1 : double(leaf.largest_w);
+    leaf.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
+    leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
 /// Copies the samples as offsets from the middle, whole groups. What fills up the last group is
@@ -112,8 +118,7 @@ void copy_samples(
         }
         copy(last, k);
     }
-    for (std::size_t i = 0; i < padded; ++i)
-        leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
+    for (std::size_t i = 0; i < padded; ++i) leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
 }
 
 /// The slots that a group reaches.
@@ -256,8 +261,8 @@ HWY_INLINE void test_groups(
                 std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
-                shadowed |= settle_group(cell.mesh, cell.samples, cell.points,
-                    batch.triangle[i], group * kGroup, open, leaf);
+                shadowed |= settle_group(cell.mesh, cell.samples, cell.points, batch.triangle[i],
+                    group * kGroup, open, leaf);
         }
         if (shadowed == before) continue;
         leaf.shadowed[group] = std::uint16_t(shadowed);

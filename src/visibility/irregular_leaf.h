@@ -84,6 +84,7 @@ struct LeafMemory {
     double half_x = 0, half_y = 0;               // largest offsets
     double error_x = 0, error_y = 0;             // of a sample's place
     double least_margin = 0, largest_margin = 0; // in units of w times the plane's distance
+    double least_corner = 0, largest_corner = 0; // the same, for a triangle's corner at distance 1
 };
 
 /// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is

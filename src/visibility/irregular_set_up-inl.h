@@ -11,8 +11,8 @@
 // Depth: with B = |wc| + hx |wx| + hy |wy| the same roundings take 8 u B, a sample's own w takes 2 u
 // of the largest w, its place |wx| error_x + |wy| error_y. The double part is added as it is.
 //
-// A sample is shadowed where w - (its w) > K s: K = |N| / |volume|, s = margin / c (a point light;
-// volume = N . v0), or K = |N| / |N.c|, s = margin (a directional one), |N| = |N.x| + |N.y| + |N.z|:
+// A sample is shadowed where w - (its w) > K s: K = |N| / |volume|, s = margins / c (a point light;
+// volume = N . v0), or K = |N| / |N.c|, s = margins (a directional one), |N| = |N.x| + |N.y| + |N.z|:
 // is_shadowed divided by what is positive.
 #if defined(FIRSTHIT_IRREGULAR_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_SET_UP_INL_H
@@ -120,8 +120,16 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
     const V k = hn::Mul(length, abs_inverse);
     const V k_error =
         hn::Mul(u(0x1p-49), hn::Add(hn::Mul(length_size, abs_inverse), hn::Mul(k, divisor_error)));
-    const V most = hn::Add(hn::Mul(hn::Add(k, k_error), hn::Set(d, leaf.largest_margin)), error);
-    const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), hn::Set(d, leaf.least_margin)), error);
+    const auto largest = [](const Vector3<V>& v) {
+        return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
+    };
+    const V corner = hn::Max(hn::Max(largest(v0), largest(v1)), largest(v2));
+    const V most_margin =
+        hn::Add(hn::Set(d, leaf.largest_margin), hn::Mul(hn::Set(d, leaf.largest_corner), corner));
+    const V least_margin =
+        hn::Add(hn::Set(d, leaf.least_margin), hn::Mul(hn::Set(d, leaf.least_corner), corner));
+    const V most = hn::Add(hn::Mul(hn::Add(k, k_error), most_margin), error);
+    const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), least_margin), error);
     // A divisor that may be anything, or a float that overflows: nothing is certain.
     const auto sane = hn::And(
         hn::Gt(certain, zero), hn::And(hn::Lt(divisor_error, u(0x1p26)),

@@ -41,8 +41,8 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all{0, count};
-    sort(cells.samples.span(), {&range, 1}, range.count, triangles, {&all, 1},
-        bounds_of(own), inner, serial);
+    sort(cells.samples.span(), {&range, 1}, range.count, triangles, {&all, 1}, bounds_of(own),
+        inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
         test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
         return;

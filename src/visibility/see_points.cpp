@@ -82,14 +82,13 @@ void see_face(const LightSpace& space, const LightChunk& chunk, int number, std:
         near = hn::IfThenElse(chosen, hn::Max(near, number_w), near);
         const auto id = hn::Load(du, chunk.id.data() + k);
         const auto pack = [&](Real v) { return hn::Compress(v, chosen); };
-        hn::StoreInterleaved4(pack(x), pack(y), pack(w), pack(hn::BitCast(d, id)), d,
-            &samples[next].x);
+        hn::StoreInterleaved4(
+            pack(x), pack(y), pack(w), pack(hn::BitCast(d, id)), d, &samples[next].x);
         next += hn::CountTrue(d, chosen);
     }
     const auto lowest = [&](Real v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
     const auto highest = [&](Real v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    bounds = {lowest(x0), lowest(y0), highest(x1), highest(y1), lowest(far),
-        highest(near)};
+    bounds = {lowest(x0), lowest(y0), highest(x1), highest(y1), lowest(far), highest(near)};
 }
 
 /// The faces that see a point of the chunk, a bit each.
