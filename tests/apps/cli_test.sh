@@ -47,6 +47,14 @@ starts()
     [ "$(od -An -tx1 -N $((${#2} / 2)) "$1" | tr -d ' \n')" = "$2" ] || fail "$1 does not start with $2"
 }
 
+# npy FILE TYPE SHAPE HEX : a NumPy array with these bytes.
+npy()
+{
+    local header="{'descr': '$2', 'fortran_order': False, 'shape': $3, }"
+    { printf '\x93NUMPY\x01\x00%b' "\\x$(printf %02x $((${#header} + 1)))\\x00"
+      printf '%s\n' "$header"; printf '%b' "$(printf %s "$4" | sed 's/../\\x&/g')"; } >"$1"
+}
+
 mkdir -p input/folder.png
 
 # --- what it does -----------------------------------------------------------------------------
@@ -54,6 +62,7 @@ expect 0 'render.*Make pictures' --help
 expect 0 'Usage: firsthit render' render --help
 expect 0 'Usage: firsthit info' info --help
 expect 0 'ours_wrong' compare --help
+expect 0 'bitorder' occlusion --help
 expect 0 '^[^ ]*firsthit [0-9]+\.[0-9]+\.[0-9]+$' --version
 
 expect 0 '' render builtin:torus -o a.png --size 33x17
@@ -102,6 +111,50 @@ expect 0 '"ours_wrong": 0' compare builtin:torus --against brute --size 40x30 --
 grep -q '"pixels": 1200,' stdout || fail "compare counts other pixels than 40x30"
 expect 0 '"pixels": 512' compare builtin:torus --against brute --size 16x16 --frames 0:1:2 --json
 [ ! -s stderr ] || fail "a progress bar in a pipe"
+
+expect 0 '"lit_ours_wrong": 0' compare builtin:robots --against brute --size 32x32 --shadows exact --json
+expect 0 'lit theirs wrong +[0-9]+$' compare builtin:torus --against embree --size 32x32 --shadows exact
+
+# Points: the middle of the torus's hole, inside of its tube, above it, and no number.
+o=00000000 one=0000803f two=00000040
+npy input/points.npy '<f4' '(4, 3)' "$o$o$o$one$o$o$o$two$o${o}0000c07f$o"
+npy input/directions.npy '<f4' '(2, 3)' "$o${one}$o${o}0000803f$o"
+npy input/ids.npy '<i4' '(4,)' 00000000ffffffffffffffffffffffff
+expect 0 '' occlusion builtin:torus --points input/points.npy --direction 0,-1,0 -o a.npy
+grep -qa "'|u1'.*(4,)" a.npy || fail "occlusion of one direction has another type or shape"
+[ "$(tail -c 4 a.npy | od -An -tx1 | tr -d ' \n')" = 00010000 ] || fail "occlusion has other answers"
+expect 0 '"occluded": 2' occlusion builtin:torus --points input/points.npy --direction 0,-1,0 \
+    --direction 1,-9,0 --json -o b.npy
+grep -qa "'|u1'.*(2, 4)" b.npy || fail "occlusion of two directions has another shape"
+expect 0 'test +[0-9.]+ ms' occlusion builtin:torus --points input/points.npy --stats --packed \
+    --directions input/directions.npy --receivers input/ids.npy --time 1 --threads 2 -o c.npy
+grep -qa "'|u1'.*(2, 1)" c.npy || fail "packed occlusion has another shape"
+[ "$(tail -c 2 c.npy | od -An -tx1 | tr -d ' \n')" = 0202 ] || fail "packed occlusion has other answers"
+expect 0 '' occlusion builtin:torus --points input/points.npy --light 0,5,0 --light spot:0,5,0,0,1,0,40 -o d.npy
+expect_files a.npy b.npy c.npy d.npy
+expect 2 '--points' occlusion builtin:torus --direction 0,1,0 -o a.npy
+expect 2 '--output' occlusion builtin:torus --points input/points.npy --direction 0,1,0
+expect 2 'no light' occlusion builtin:torus --points input/points.npy -o a.npy
+expect 2 'accepted is .npy' occlusion builtin:torus --points input/points.npy --direction 0,1,0 -o a.exr
+expect 2 'excludes' occlusion builtin:torus --points input/points.npy --direction 0,1,0 --light 0,1,0 -o a.npy
+expect 2 'excludes' occlusion builtin:torus --points input/points.npy --direction 0,1,0 \
+    --directions input/directions.npy -o a.npy
+for value in 0,0,0 1,2 a,b,c nan,0,0 ''; do
+    expect 2 '--direction: ' occlusion builtin:torus --points input/points.npy --direction "$value" -o a.npy
+done
+expect 2 '--light: ' occlusion builtin:torus --points input/points.npy --light spot:1 -o a.npy
+expect 1 'input/none.npy: no such file' occlusion builtin:torus --points input/none.npy --direction 0,1,0 -o a.npy
+expect 1 'only \(N, 3\)|only float32' occlusion builtin:torus --points input/ids.npy --direction 0,1,0 -o a.npy
+expect 1 'only uint32' occlusion builtin:torus --points input/points.npy --receivers input/points.npy \
+    --direction 0,1,0 -o a.npy
+npy input/zero.npy '<f4' '(1, 3)' "$o$o$o"
+expect 1 'zero.npy: row 0: .* is no direction' occlusion builtin:torus --points input/points.npy \
+    --directions input/zero.npy -o a.npy
+npy input/few.npy '<u4' '(1,)' 00000000
+expect 1 '1 receivers for the 4 points' occlusion builtin:torus --points input/points.npy \
+    --receivers input/few.npy --direction 0,1,0 -o a.npy
+expect 1 "folder 'none' does not exist" occlusion builtin:torus --points input/points.npy --direction 0,1,0 -o none/a.npy
+expect_files
 
 # --- wrong usage ------------------------------------------------------------------------------
 expect 2 'subcommand' 
@@ -152,6 +205,7 @@ expect 2 'accepted are item, depth' render builtin:torus --aov colour=a.exr
 expect 2 'NAME=FILE' render builtin:torus --aov depth
 expect 2 'written twice' render builtin:torus -o a.exr --aov depth=a.exr
 expect 2 '--against' compare builtin:torus
+expect 2 'accepted are none and exact' compare builtin:torus --against brute --shadows map
 expect 2 'accepted are brute and embree' compare builtin:torus --against guessing
 expect_files
 

@@ -1,4 +1,4 @@
-// compare_test.cpp - whole scenes against both oracles.
+// compare_test.cpp - whole scenes, items and shadows, against both oracles.
 #include "scenes.h"
 #include "test_data.h"
 
@@ -20,8 +20,14 @@ void expect_right(const Scene& scene, double time_s, Oracle oracle, int size)
     EXPECT_EQ(c.ours_wrong, 0u) << scene.name << " at " << time_s;
     EXPECT_EQ(c.pixels, std::uint64_t(size) * std::uint64_t(size));
     EXPECT_EQ(c.pixels, c.agree + c.ties + c.ours_wrong + c.theirs_wrong);
+    const LitComparison lit = compare_lit(world, view, oracle, 2);
+    EXPECT_EQ(lit.ours_wrong, 0u) << scene.name << " at " << time_s;
+    EXPECT_EQ(lit.pixels, lit.agree + lit.ours_wrong + lit.theirs_wrong);
+    EXPECT_GT(double(lit.agree), 0.999 * double(lit.pixels));
+    EXPECT_GT(lit.pixels, c.pixels / 20);
     if (oracle == Oracle::brute) {
         EXPECT_EQ(c.agree, c.pixels);
+        EXPECT_EQ(lit.agree, lit.pixels);
     } else {
         EXPECT_GT(double(c.agree + c.ties), 0.999 * double(c.pixels));
     }
