@@ -68,7 +68,7 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
 {
     memory.samples.resize(chunks * chunk_room(points_a_chunk));
     if (memory.parts.size() < chunks) memory.parts.resize(chunks);
-    memory.ranges.resize(chunks);
+    memory.patches.resize(chunks);
     memory.shadowed.resize(chunks * points_a_chunk);
     while (int(memory.workers.size()) < threads)
         memory.workers.push_back(std::make_unique<LightChunk>());
@@ -86,17 +86,16 @@ ShadowEffort take_effort(ShadowMemory& memory)
 
 void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
 {
-    const std::size_t chunks = memory.ranges.size();
+    const std::size_t chunks = memory.patches.size();
     ShadowEffort& effort = memory.effort;
     for (std::size_t face = 0; face < kLightFaces; ++face) {
         SampleBounds bounds;
         std::size_t count = 0;
         for (std::size_t k = 0; k < chunks; ++k) {
-            const FaceParts& parts = memory.parts[k];
-            memory.ranges[k] = parts.range[face];
-            if (parts.range[face].count == 0) continue;
-            bounds.add(parts.bounds[face]);
-            count += parts.range[face].count;
+            const SamplePatch& patch = memory.patches[k] = memory.parts[k][face];
+            if (patch.range.count == 0) continue;
+            bounds.add(patch.bounds);
+            count += patch.range.count;
         }
         if (count == 0) continue;
         effort.points += count;
@@ -104,7 +103,7 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         see_through_face(
             light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
-        sort_face(memory.mesh, memory.samples.span(), memory.ranges.span(), bounds,
+        sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
             memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
         test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());

@@ -33,7 +33,7 @@ struct ShadowMemory {
     IrregularMemory irregular;
     Buffer<IrregularSample> samples; // (chunks, chunk_room)
     std::vector<FaceParts> parts;    // (chunks)
-    Buffer<SampleRange> ranges;      // (chunks) of one face
+    Buffer<SamplePatch> patches;     // (chunks) of one face
     Buffer<std::uint8_t> shadowed;   // (points) of one light
     std::vector<std::unique_ptr<LightChunk>> workers;
     ShadowEffort effort; // so far; take_effort moves it away

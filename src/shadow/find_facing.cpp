@@ -4,6 +4,7 @@
 #include "base/simd.h"
 
 #include "shadow/find_facing.h"
+#include "visibility/gather_corners.h"
 #include "visibility/set_up-inl.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ constexpr std::size_t kRuns = 64; // together
 
 /// Corners of runs' items in the light's space, and the volumes that say which side the light sees.
 struct SideBatch {
+    alignas(64) std::uint32_t item[kRuns];
     alignas(64) float corner[9][kRuns];
     alignas(64) double volume[kRuns]; // 0 where its sign is not certain
 };
@@ -54,13 +56,8 @@ void facing(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t>
     Effort effort;
     for (std::size_t first = 0; first < hits.runs.size(); first += kRuns) {
         const auto runs = hits.runs.subspan(first, std::min(kRuns, hits.runs.size() - first));
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const glm::uvec3& index = mesh.index[runs[i].item];
-            for (int k = 0; k < 3; ++k) {
-                const glm::vec3& p = mesh.corner[index[k]];
-                for (int axis = 0; axis < 3; ++axis) batch.corner[3 * k + axis][i] = p[axis];
-            }
-        }
+        for (std::size_t i = 0; i < runs.size(); ++i) batch.item[i] = runs[i].item;
+        gather_corners(mesh, LightFace{}, int(runs.size()), batch.item, batch.corner);
         find_volumes(directional, runs.size(), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const HitRun& run = runs[i];

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "visibility/bin_seen.h"
 #include "visibility/irregular_samples.h"
 #include "visibility/light_mesh.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -19,26 +19,28 @@ struct CellGrid {
     float scale_x = 0, scale_y = 0; // cells a unit
     int columns = 1, rows = 1;
 
-    int column(float x) const { return place((x - x0) * scale_x, columns); }
-    int row(float y) const { return place((y - y0) * scale_y, rows); }
     int cells() const { return columns * rows; }
+};
 
-  private:
-    static int place(float cell, int count)
-    {
-        return cell > 0 ? int(std::min(cell, float(count - 1))) : 0; // 0 where it is no number
-    }
+/// The cells that a triangle meets, ends included; first > last where it meets none.
+struct CellRect {
+    std::uint8_t column0, row0, column1, row1;
 };
 
 /// The cells of samples, 16 at a time: cell[k] of from[k]. Up to 15 more are written.
 void place_samples(
     const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell);
 
+/// The cells of triangles; none for one that may shadow no sample inside the bounds.
+void place_triangles(const CellGrid& grid, const SampleBounds& bounds,
+    std::span<const SeenTriangle> from, CellRect* rect);
+
 /// Bounds of samples.
 SampleBounds bounds_of(std::span<const IrregularSample> samples);
 
 /// At most this many cells.
 inline constexpr std::size_t kMostCells = 1 << 14;
+inline constexpr int kMostColumns = 255; // or rows
 
 /// About `cells` cells over the bounds, about square.
 CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
@@ -47,12 +49,18 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    Buffer<IrregularSample> samples;      // by cell
-    Buffer<std::uint32_t> sample_start;   // (cells + 1)
-    Buffer<SeenTriangle> triangles;       // by cell, then in their order
-    Buffer<std::uint32_t> triangle_start; // (cells + 1)
-    Buffer<std::uint32_t> cursor;         // (ranges, cells), while sorting
-    Buffer<std::uint16_t> cell_of;        // (samples) while sorting
+    Buffer<IrregularSample> samples;    // by cell
+    Buffer<std::uint32_t> sample_start; // (cells + 1)
+    SeenBins seen;                      // by cell
+    Buffer<std::uint32_t> cursor;       // (shares, cells), while sorting
+    Buffer<std::uint16_t> cell_of;      // (samples), while sorting
+    Buffer<CellRect> rect_of;           // (triangles), while sorting
+
+    std::span<const IrregularSample> samples_of(std::size_t cell) const
+    {
+        return samples.span().subspan(
+            sample_start[cell], sample_start[cell + 1] - sample_start[cell]);
+    }
 };
 
 /// Sorts the samples of all ranges.
@@ -60,9 +68,7 @@ struct IrregularCells {
 void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
-/// Copies each triangle that may shadow a sample to all cells that its box meets.
-/// ranges  into `from`
-/// returns  false where that would be more than a few a triangle: nothing is sorted then
+/// Copies each triangle that may shadow a sample to all cells that its box meets, see bin_seen.
 bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 

@@ -5,6 +5,7 @@
 #include "base/simd.h"
 
 #include "visibility/irregular_cells.h"
+#include "visibility/gather_corners.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_set_up-inl.h"
 #include "visibility/sample_registers-inl.h"
@@ -19,28 +20,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
-
-/// From a coordinate to one of a chunk's slots; never falls.
-struct Slots {
-    float start, scale;
-
-    int of(float v) const
-    {
-        const float slot = (v - start) * scale;
-        return slot > 0 ? int(std::min(slot, float(kSlots - 1))) : 0;
-    }
-};
-
-Slots slots_over(float low, float high)
-{
-    const float scale = float(kSlots) / (high - low);
-    return {low, std::isfinite(scale) && std::isfinite(low) ? scale : 0.0f};
-}
-
-/// How a cell's boxes and depths become slots.
-struct CellSlots {
-    Slots x, y, w;
-};
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
 void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
@@ -121,12 +100,7 @@ void copy_samples(
     for (std::size_t i = 0; i < padded; ++i) leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
 }
 
-/// The slots that a group reaches.
-struct GroupReach {
-    int x0, y0, x1, y1, w;
-};
-
-HWY_INLINE GroupReach reach_of(const LeafMemory& leaf, std::size_t group, const CellSlots& slots)
+SampleBounds bounds_of_group(const LeafMemory& leaf, std::size_t group)
 {
     const Group d;
     const std::size_t lanes = hn::Lanes(d), first = group * kGroup;
@@ -145,48 +119,22 @@ HWY_INLINE GroupReach reach_of(const LeafMemory& leaf, std::size_t group, const 
     }
     const auto least = [&](auto v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
     const auto most = [&](auto v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    return {slots.x.of(least(x0)), slots.y.of(least(y0)), slots.x.of(most(x1)),
-        slots.y.of(most(y1)), slots.w.of(least(w))};
+    return {least(x0), least(y0), most(x1), most(y1), least(w), 0};
 }
 
-/// Which groups reach which slots.
-void fill_tables(const CellSlots& slots, LeafMemory& leaf)
+void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
 {
     const std::size_t groups = leaf.shadowed.size();
-    const std::size_t chunks = (groups + kChunkGroups - 1) / kChunkGroups;
+    const std::size_t chunks = (groups + kTableBoxes - 1) / kTableBoxes;
     leaf.table.resize(chunks, 16);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        GroupTable& table = leaf.table[chunk];
+        OverlapTable& table = leaf.table[chunk];
         table = {};
-        const std::size_t first = chunk * kChunkGroups;
-        const std::size_t last = std::min(groups, first + kChunkGroups);
-        for (std::size_t group = first; group < last; ++group) {
-            const std::uint64_t bit = std::uint64_t(1) << (group - first);
-            const GroupReach reach = reach_of(leaf, group, slots);
-            table.from_x[reach.x0] |= bit;
-            table.to_x[reach.x1] |= bit;
-            table.from_y[reach.y0] |= bit;
-            table.to_y[reach.y1] |= bit;
-            table.behind[reach.w] |= bit;
-            table.open |= bit;
-        }
-        for (int k = 1; k < kSlots; ++k) {
-            table.from_x[k] |= table.from_x[k - 1];
-            table.from_y[k] |= table.from_y[k - 1];
-            table.behind[k] |= table.behind[k - 1];
-        }
-        for (int k = kSlots - 2; k >= 0; --k) {
-            table.to_x[k] |= table.to_x[k + 1];
-            table.to_y[k] |= table.to_y[k + 1];
-        }
+        const std::size_t first = chunk * kTableBoxes, last = std::min(groups, first + kTableBoxes);
+        for (std::size_t group = first; group < last; ++group)
+            table.add(int(group - first), bounds_of_group(leaf, group), slots);
+        table.finish();
     }
-}
-
-/// The groups of a chunk that a triangle may shadow.
-HWY_INLINE std::uint64_t groups_of(const GroupTable& table, const std::uint8_t (&slot)[5])
-{
-    return table.from_x[slot[2]] & table.to_x[slot[0]] & table.from_y[slot[3]] &
-           table.to_y[slot[1]] & table.behind[slot[4]] & table.open;
 }
 
 /// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
@@ -233,11 +181,11 @@ HWY_INLINE void test_groups(
                lit_below = hn::Set(d, batch.lit_below[i]);
     const auto inside_from = hn::Set(d, cell.edge_error), maybe_from = hn::Set(d, -cell.edge_error);
     const auto triangle = hn::Set(du, batch.triangle[i]);
-    GroupTable& table = leaf.table[chunk];
+    OverlapTable& table = leaf.table[chunk];
 
     leaf.counts.pairs += std::uint64_t(std::popcount(groups)) * kGroup;
     for (; groups; groups &= groups - 1) {
-        const std::size_t group = chunk * kChunkGroups + std::size_t(std::countr_zero(groups));
+        const std::size_t group = chunk * kTableBoxes + std::size_t(std::countr_zero(groups));
         std::uint32_t shadowed = leaf.shadowed[group];
         const std::uint32_t before = shadowed;
         for (int part = 0; part < kGroup; part += lanes) {
@@ -274,23 +222,65 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
 {
     const hn::CappedTag<double, 8> d;
     LeafBatch& batch = leaf.batch;
-    for (int i = 0; i < batch.count; ++i) {
-        const Corners corners = cell.mesh.corners(batch.triangle[i]);
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3 p = cell.mesh.face.seen_from(corners[std::size_t(k)]);
-            for (int axis = 0; axis < 3; ++axis) batch.corner[3 * k + axis][i] = p[axis];
-        }
-    }
+    gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
     for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
         set_up_leaf_lanes(d, cell.mesh.space.directional, leaf, i);
     for (int i = 0; i < batch.count; ++i) {
         for (std::size_t chunk = 0; chunk < leaf.table.size(); ++chunk) {
-            if (const std::uint64_t groups = groups_of(leaf.table[chunk], batch.slot[i]))
+            if (const std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]))
                 test_groups(cell, i, chunk, groups, leaf);
         }
     }
     leaf.counts.triangles += std::uint64_t(batch.count);
     batch.count = 0;
+}
+
+/// The slots of sixteen triangles, a row for each side of the box and the depth.
+struct SlotRegister {
+    alignas(64) std::int32_t slot[5][kGroup];
+};
+
+/// Fills in the slots of up to sixteen triangles. Returns those that may shadow a sample inside the
+/// bounds, a bit each.
+HWY_INLINE std::uint32_t find_slots(std::span<const SeenTriangle> triangles,
+    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& seen)
+{
+    const Group d;
+    const hn::RebindToSigned<Group> w;
+    const int lanes = int(hn::Lanes(d));
+    constexpr int kStride = int(sizeof(SeenTriangle) / sizeof(float));
+    SeenTriangle spare[kGroup];
+    const SeenTriangle* from = triangles.data();
+    if (triangles.size() < kGroup) {
+        for (std::size_t i = 0; i < kGroup; ++i)
+            spare[i] = triangles[std::min(i, triangles.size() - 1)];
+        from = spare;
+    }
+    const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, kStride));
+    const auto slot_of = [&](auto v, const Slots& axis) { // as Slots::of
+        const auto at = hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale));
+        const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
+        return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(kSlots - 1))));
+    };
+    std::uint32_t chosen = 0;
+    for (int k = 0; k < kGroup; k += lanes) {
+        const auto field = [&](const float& first) { return hn::GatherIndex(d, &first, steps); };
+        const auto x0 = field(from[k].x0), y0 = field(from[k].y0), x1 = field(from[k].x1),
+                   y1 = field(from[k].y1), nearest = field(from[k].nearest_w);
+        const auto meets = hn::And(
+            hn::And(hn::Le(x0, hn::Set(d, bounds.x1)), hn::Ge(x1, hn::Set(d, bounds.x0))),
+            hn::And(hn::And(hn::Le(y0, hn::Set(d, bounds.y1)), hn::Ge(y1, hn::Set(d, bounds.y0))),
+                hn::Not(hn::Lt(nearest, hn::Set(d, bounds.farthest_w)))));
+        chosen |= std::uint32_t(bits(d, meets)) << k;
+        const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
+        hn::Store(slot_of(hn::Sub(x0, x), slots.x), w, seen.slot[0] + k);
+        hn::Store(slot_of(hn::Sub(y0, y), slots.y), w, seen.slot[1] + k);
+        hn::Store(slot_of(hn::Sub(x1, x), slots.x), w, seen.slot[2] + k);
+        hn::Store(slot_of(hn::Sub(y1, y), slots.y), w, seen.slot[3] + k);
+        hn::Store(slot_of(nearest, slots.w), w, seen.slot[4] + k);
+    }
+    if (triangles.size() < kGroup) chosen &= (1u << triangles.size()) - 1;
+    return chosen;
 }
 
 void test_samples(const LightMesh& mesh, std::span<const IrregularSample> samples,
@@ -299,27 +289,31 @@ void test_samples(const LightMesh& mesh, std::span<const IrregularSample> sample
 {
     frame_cell(mesh, samples, leaf);
     copy_samples(samples, points.item, leaf);
-    const SampleBounds& b = leaf.bounds;
+    // Boxes as offsets from the middle, like the samples.
     const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
-    const CellSlots slots{slots_over(b.x0 - xm, b.x1 - xm), slots_over(b.y0 - ym, b.y1 - ym),
-        slots_over(b.farthest_w, b.nearest_w)};
+    const SampleBounds& b = leaf.bounds;
+    const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);
 
     const CellTest cell{mesh, samples, points, leaf_edge_error(leaf)};
     LeafBatch& batch = leaf.batch;
-    for (const SeenTriangle& triangle : triangles) {
-        if (!may_shadow(triangle, b)) continue;
-        std::uint8_t(&slot)[5] = batch.slot[batch.count];
-        slot[0] = std::uint8_t(slots.x.of(triangle.x0 - xm));
-        slot[1] = std::uint8_t(slots.y.of(triangle.y0 - ym));
-        slot[2] = std::uint8_t(slots.x.of(triangle.x1 - xm));
-        slot[3] = std::uint8_t(slots.y.of(triangle.y1 - ym));
-        slot[4] = std::uint8_t(slots.w.of(triangle.nearest_w));
-        std::uint64_t any = 0;
-        for (const GroupTable& table : leaf.table.span()) any |= groups_of(table, slot);
-        if (!any) continue;
-        batch.triangle[batch.count] = triangle.triangle;
-        if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+    SlotRegister seen;
+    for (std::size_t first = 0; first < triangles.size(); first += kGroup) {
+        const auto some =
+            triangles.subspan(first, std::min<std::size_t>(kGroup, triangles.size() - first));
+        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, seen); rest;
+             rest &= rest - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(rest));
+            SeenSlots reach;
+            for (int side = 0; side < 5; ++side)
+                reach.slot[side] = std::uint8_t(seen.slot[side][k]);
+            std::uint64_t any = 0;
+            for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
+            if (!any) continue;
+            batch.triangle[batch.count] = some[k].triangle;
+            batch.slots[batch.count] = reach;
+            if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+        }
     }
     test_batch(cell, leaf);
 

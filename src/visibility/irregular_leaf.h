@@ -5,6 +5,7 @@
 #include "base/buffer.h"
 #include "visibility/irregular_samples.h"
 #include "visibility/light_mesh.h"
+#include "visibility/overlap_table.h"
 
 #include <cstdint>
 #include <span>
@@ -38,27 +39,14 @@ struct ShadowCounts {
     }
 };
 
-inline constexpr int kGroup = 16;       // samples that are tested at once
-inline constexpr int kChunkGroups = 64; // groups of a chunk, a bit each
-inline constexpr int kSlots = 32;       // into which a chunk's groups are sorted on each axis
-inline constexpr int kLeafBatch = 64;   // triangles that are set up together
-
-/// The groups of a chunk whose samples reach a slot, a bit each: a triangle's groups are those of
-/// five lookups, combined.
-struct GroupTable {
-    std::uint64_t from_x[kSlots]; // whose first column is at most this
-    std::uint64_t to_x[kSlots];   // whose last column is at least this
-    std::uint64_t from_y[kSlots];
-    std::uint64_t to_y[kSlots];
-    std::uint64_t behind[kSlots]; // whose farthest sample is at this depth or farther
-    std::uint64_t open;           // that have samples which are not shadowed yet
-};
+inline constexpr int kGroup = 16;     // samples that are tested at once
+inline constexpr int kLeafBatch = 64; // triangles that are set up together
 
 /// Structure of arrays. Edges and w are affine in the sample's offset from the cell's middle.
 struct LeafBatch {
     int count = 0;
-    std::uint32_t triangle[kLeafBatch];
-    std::uint8_t slot[kLeafBatch][5];        // of its box and depth: into GroupTable
+    alignas(64) std::uint32_t triangle[kLeafBatch];
+    SeenSlots slots[kLeafBatch];
     alignas(64) float corner[9][kLeafBatch]; // a0 b0 c0 a1 ... as the face sees them
     alignas(64) float gx[3][kLeafBatch], gy[3][kLeafBatch],
         c[3][kLeafBatch]; // |e| <= 1, inside > 0
@@ -72,7 +60,7 @@ struct LeafMemory {
     Buffer<float> x, y, w; // offsets from the middle; whole groups
     Buffer<std::uint32_t> item;
     Buffer<std::uint16_t> shadowed; // (groups) a bit for each sample
-    Buffer<GroupTable> table;       // (chunks)
+    Buffer<OverlapTable> table;     // (chunks) of 64 groups
     LeafBatch batch;
     ShadowCounts counts;
 

@@ -1,6 +1,8 @@
 // irregular_zbuffer.cpp - which points can a light not see?
 #include "visibility/irregular_zbuffer.h"
 
+#include "visibility/irregular_covers.h"
+
 namespace firsthit {
 namespace {
 
@@ -16,6 +18,7 @@ void sort(std::span<const IrregularSample> samples, std::span<const SampleRange>
     Tasks& tasks)
 {
     cells.bounds = bounds;
+    if (sample_count == 0) triangle_ranges = {};
     std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
         cells.grid = cell_grid(bounds, wanted);
@@ -28,42 +31,110 @@ void sort(std::span<const IrregularSample> samples, std::span<const SampleRange>
 void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t cell, int level,
     const LightPoints& points, CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
 {
-    const SampleRange range{
-        cells.sample_start[cell], cells.sample_start[cell + 1] - cells.sample_start[cell]};
-    const std::size_t first = cells.triangle_start[cell],
-                      count = cells.triangle_start[cell + 1] - first;
-    if (range.count == 0 || count == 0) return;
-    const auto triangles = cells.triangles.span().subspan(first, count);
-    const auto own = cells.samples.span().subspan(range.first, range.count);
-    if (level == kCellLevels || range.count <= kManySamples || count <= kManyTriangles) {
-        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
+    const auto samples = cells.samples_of(cell);
+    const auto triangles = cells.seen.of(cell);
+    if (samples.empty() || triangles.empty()) return;
+    if (level == kCellLevels || samples.size() <= kManySamples ||
+        triangles.size() <= kManyTriangles) {
+        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
-    const SampleRange all{0, count};
-    sort(cells.samples.span(), {&range, 1}, range.count, triangles, {&all, 1}, bounds_of(own),
-        inner, serial);
+    const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
+    sort(samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1},
+        bounds_of(samples), inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
-        test_leaf(mesh, own, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
         test_cell(mesh, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
+/// Takes the patches out that one triangle shadows.
+void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
+    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory)
+{
+    memory.covered.resize(patches.size());
+    memory.open.resize(patches.size());
+    std::size_t covered = 0, open = 0;
+    const CoverList covers = find_covers(mesh, memory.triangle_ranges.span(), bounds);
+    for (const SamplePatch& patch : patches) {
+        if (patch.range.count == 0) continue;
+        const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
+        if (is_covered(mesh, covers, patch, samples, points))
+            memory.covered[covered++] = patch.range;
+        else
+            memory.open[open++] = patch;
+    }
+    memory.covered.resize(covered);
+    memory.open.resize(open);
+}
+
+/// Splits the patches that are left into those that stay together and samples to be sorted.
+/// Returns the number and the bounds of the latter.
+struct Loose {
+    std::size_t count = 0;
+    SampleBounds bounds;
+};
+
+Loose split_patches(
+    const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
+{
+    const auto compact = [&](const SamplePatch& patch) {
+        return keep_compact && is_compact(patch, bounds, triangles);
+    };
+    std::size_t all = 0, compact_samples = 0;
+    for (const SamplePatch& patch : memory.open.span()) {
+        all += patch.range.count;
+        if (compact(patch)) compact_samples += patch.range.count;
+    }
+    // For few samples it does not pay to look at all triangles once more.
+    const bool worth_it = 4 * compact_samples > all;
+
+    Loose left;
+    std::size_t patches = 0, ranges = 0;
+    memory.patches.patches.resize(memory.open.size());
+    memory.loose.resize(memory.open.size());
+    for (const SamplePatch& patch : memory.open.span()) {
+        if (worth_it && compact(patch)) {
+            memory.patches.patches[patches++] = patch;
+        } else {
+            memory.loose[ranges++] = patch.range;
+            left.count += patch.range.count;
+            left.bounds.add(patch.bounds);
+        }
+    }
+    memory.patches.patches.resize(patches);
+    memory.loose.resize(ranges);
+    return left;
+}
+
 } // namespace
 
 void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SampleRange> ranges, const SampleBounds& bounds, IrregularMemory& memory,
-    Tasks& tasks)
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    IrregularMemory& memory, Tasks& tasks)
 {
-    std::size_t count = 0;
-    for (const SampleRange& range : ranges) count += range.count;
+    memory.samples = samples;
     memory.triangle_ranges.resize(mesh.range_count.size());
-    for (std::size_t k = 0; k < mesh.range_count.size(); ++k)
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
         memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
-    sort(samples, ranges, count, mesh.in_view.span(), memory.triangle_ranges.span(), bounds,
-        memory.cells, tasks);
+        count += mesh.range_count[k];
+    }
+    find_covered(mesh, patches, bounds, points, memory);
+
+    const auto triangles = mesh.in_view.span();
+    const auto ranges = memory.triangle_ranges.span();
+    Loose loose = split_patches(bounds, count, true, memory);
+    if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
+        // Too many large triangles: everything is sorted, into as few cells as need be.
+        loose = split_patches(bounds, count, false, memory);
+        bin_patches(triangles, ranges, bounds, memory.patches, tasks);
+    }
+    sort(samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds, memory.cells,
+        tasks);
 }
 
 void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
@@ -71,6 +142,19 @@ void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<CellWorker>());
+    tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
+        const SampleRange& range = memory.covered[k];
+        for (const IrregularSample& sample : memory.samples.subspan(range.first, range.count))
+            shadowed[sample.id] = 1;
+    });
+    const PatchMemory& patches = memory.patches;
+    tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
+        const SampleRange& range = patches.patches[k].range;
+        const auto triangles = patches.seen.of(k);
+        if (!triangles.empty())
+            test_leaf(mesh, memory.samples.subspan(range.first, range.count), triangles, points,
+                memory.workers[worker]->leaf, shadowed);
+    });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
         test_cell(mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);

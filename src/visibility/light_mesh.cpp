@@ -41,7 +41,10 @@ void see_range(std::size_t range, const SampleBounds& bounds, LightMesh& mesh)
     const std::size_t first = range * kLightRange,
                       last = std::min(mesh.index.size(), first + kLightRange);
     SeenTriangle* kept = &mesh.in_view[first];
+    constexpr std::size_t kAhead = 16; // triangles whose corners are asked for
     for (std::size_t t = first; t < last; ++t) {
+        if (t + kAhead < last)
+            for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.seen[mesh.index[t + kAhead][k]]);
         const glm::uvec3& corner = mesh.index[t];
         const SeenPoint &a = mesh.seen[corner.x], &b = mesh.seen[corner.y],
                         &c = mesh.seen[corner.z];

@@ -1,9 +1,11 @@
-// place_samples.cpp - samples to cells and to their bounds, a register at a time.
+// place_samples.cpp - samples and triangles to cells, a register at a time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visibility/place_samples.cpp"
 #include "base/simd.h"
 
 #include "visibility/irregular_cells.h"
+
+#include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -34,23 +36,65 @@ struct SampleRegister {
     }
 };
 
+/// The columns or rows of coordinates, as whole numbers in a float: 0 where a coordinate is none.
+template <class V>
+HWY_INLINE V cell_along(V v, float start, float scale, int count)
+{
+    const Reals d;
+    const V at = hn::Mul(hn::Sub(v, hn::Set(d, start)), hn::Set(d, scale));
+    const V inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
+    return hn::Min(inside, hn::Set(d, float(count - 1)));
+}
+
 void place(const CellGrid& grid, std::span<const IrregularSample> samples, std::uint16_t* cell)
 {
     const Reals d;
     const Whole w;
     const hn::Rebind<std::uint16_t, Reals> narrow;
-    const auto axis = [&](auto v, float start, float scale, int count) {
-        const auto at = hn::Mul(hn::Sub(v, hn::Set(d, start)), hn::Set(d, scale));
-        // 0 where it is no number, as CellGrid says.
-        const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
-        return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(count - 1))));
-    };
     for (std::size_t k = 0; k < samples.size(); k += hn::Lanes(d)) {
         const SampleRegister s(samples, k);
-        const auto column = axis(s.x, grid.x0, grid.scale_x, grid.columns);
-        const auto row = axis(s.y, grid.y0, grid.scale_y, grid.rows);
+        const auto column = hn::ConvertTo(w, cell_along(s.x, grid.x0, grid.scale_x, grid.columns));
+        const auto row = hn::ConvertTo(w, cell_along(s.y, grid.y0, grid.scale_y, grid.rows));
         const auto number = hn::Add(hn::Mul(row, hn::Set(w, grid.columns)), column);
         hn::StoreU(hn::DemoteTo(narrow, number), narrow, cell + k);
+    }
+}
+
+void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
+    std::span<const SeenTriangle> triangles, CellRect* rect)
+{
+    const Reals d;
+    const Whole w;
+    const std::size_t lanes = hn::Lanes(d);
+    constexpr std::size_t kStride = sizeof(SeenTriangle) / sizeof(float);
+    const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, std::int32_t(kStride)));
+    for (std::size_t k = 0; k < triangles.size(); k += lanes) {
+        // The last register looks back, so that it stays inside.
+        SeenTriangle spare[16];
+        const SeenTriangle* from = &triangles[k];
+        if (k + lanes > triangles.size()) {
+            for (std::size_t i = 0; i < lanes; ++i)
+                spare[i] = triangles[std::min(k + i, triangles.size() - 1)];
+            from = spare;
+        }
+        const auto field = [&](const float& first) { return hn::GatherIndex(d, &first, steps); };
+        const auto x0 = field(from->x0), y0 = field(from->y0), x1 = field(from->x1),
+                   y1 = field(from->y1), nearest = field(from->nearest_w);
+        const auto meets = hn::And(
+            hn::And(hn::Le(x0, hn::Set(d, bounds.x1)), hn::Ge(x1, hn::Set(d, bounds.x0))),
+            hn::And(hn::And(hn::Le(y0, hn::Set(d, bounds.y1)), hn::Ge(y1, hn::Set(d, bounds.y0))),
+                hn::Not(hn::Lt(nearest, hn::Set(d, bounds.farthest_w)))));
+        const auto column = [&](auto v) {
+            return hn::ConvertTo(w, cell_along(v, grid.x0, grid.scale_x, grid.columns));
+        };
+        const auto row = [&](auto v) {
+            return hn::ConvertTo(w, cell_along(v, grid.y0, grid.scale_y, grid.rows));
+        };
+        const auto none = hn::Set(w, 0x000000FF); // column0 255, column1 0
+        const auto packed = hn::Or(hn::Or(column(x0), hn::ShiftLeft<8>(row(y0))),
+            hn::Or(hn::ShiftLeft<16>(column(x1)), hn::ShiftLeft<24>(row(y1))));
+        const auto chosen = hn::IfThenElse(hn::RebindMask(w, meets), packed, none);
+        hn::StoreU(chosen, w, reinterpret_cast<std::int32_t*>(rect + k));
     }
 }
 
@@ -80,11 +124,18 @@ HWY_AFTER_NAMESPACE();
 namespace firsthit {
 
 HWY_EXPORT(place);
+HWY_EXPORT(place_boxes);
 HWY_EXPORT(bounds);
 
 void place_samples(const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell)
 {
     HWY_DYNAMIC_DISPATCH(place)(grid, from, cell);
+}
+
+void place_triangles(const CellGrid& grid, const SampleBounds& bounds,
+    std::span<const SeenTriangle> from, CellRect* rect)
+{
+    HWY_DYNAMIC_DISPATCH(place_boxes)(grid, bounds, from, rect);
 }
 
 SampleBounds bounds_of(std::span<const IrregularSample> samples)

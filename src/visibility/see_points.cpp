@@ -111,10 +111,10 @@ void see(const LightSpace& space, const LightChunk& chunk, std::size_t first,
     std::size_t next = first;
     for (int face = 0; face < kLightFaces; ++face) {
         const std::size_t start = next;
-        SampleBounds& bounds = parts.bounds[std::size_t(face)];
-        bounds = {};
-        if (faces >> face & 1) see_face(space, chunk, face, next, samples, bounds);
-        parts.range[std::size_t(face)] = {start, next - start};
+        SamplePatch& part = parts[std::size_t(face)];
+        part = {};
+        if (faces >> face & 1) see_face(space, chunk, face, next, samples, part.bounds);
+        part.range = {start, next - start};
     }
 }
 

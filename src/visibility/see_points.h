@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/shadow_ray.h"
+#include "visibility/irregular_patches.h"
 #include "visibility/irregular_samples.h"
 #include "visibility/light_face.h"
 
@@ -25,10 +26,7 @@ struct LightChunk {
 };
 
 /// Where the samples of each face went.
-struct FaceParts {
-    std::array<SampleRange, kLightFaces> range;
-    std::array<SampleBounds, kLightFaces> bounds;
-};
+using FaceParts = std::array<SamplePatch, kLightFaces>;
 
 /// Samples that a chunk of `points` may overwrite: place chunks this far apart.
 inline std::size_t chunk_room(std::size_t points)

@@ -1,0 +1,29 @@
+// irregular_covers.h - large triangles that shadow whole patches of samples: a roof, a wall.
+#pragma once
+
+#include "visibility/irregular_leaf.h"
+#include "visibility/irregular_patches.h"
+#include "visibility/light_mesh.h"
+
+#include <array>
+#include <span>
+
+namespace firsthit {
+
+/// The triangles that cover most of the samples' bounds.
+struct CoverList {
+    static constexpr int kMost = 16;
+    std::array<SeenTriangle, kMost> triangle;
+    int count = 0;
+};
+
+/// ranges  into mesh.in_view
+CoverList find_covers(
+    const LightMesh& mesh, std::span<const SampleRange> ranges, const SampleBounds& bounds);
+
+/// Whether one of the triangles certainly shadows all samples of a patch, none of which lies on it.
+/// samples  of the patch, ids rising
+bool is_covered(const LightMesh& mesh, const CoverList& covers, const SamplePatch& patch,
+    std::span<const IrregularSample> samples, const LightPoints& points);
+
+} // namespace firsthit
