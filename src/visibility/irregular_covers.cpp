@@ -74,9 +74,8 @@ bool shadows_box(const LightMesh& mesh, std::uint32_t triangle, const SampleBoun
             std::abs(double(bounds.y0)), std::abs(double(bounds.y1)), std::abs(nearest),
             std::abs(double(bounds.farthest_w))});
     const double reach = double(mesh.space.reach) * (directional ? 1 : nearest);
-    const double corner =
-        double(corner_margin(corners)) / double(kShadowMargin) * (directional ? 1 : nearest);
-    const double margin = double(kShadowMargin) * (2 * largest + reach + corner) *
+    const double corner = double(corner_margin(corners)) * (directional ? 1 : nearest);
+    const double margin = (double(kShadowMargin) * (2 * largest + reach) + corner) *
                           (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) / std::abs(divisor);
     for (const Place& place : places) {
         double w, size;

@@ -1,107 +1,18 @@
 // shadow_scenes.cpp - triangles, lights and eyes that break shadows which are only nearly right.
 #include "shadow/shadow_scenes.h"
 
+#include "shadow/shadow_builder.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace firsthit::test {
 namespace {
 
 using glm::dvec3;
 using glm::vec3;
-
-float uniform(std::mt19937& random, float low, float high)
-{
-    return std::uniform_real_distribution<float>(low, high)(random);
-}
-
-int whole(std::mt19937& random, int low, int high)
-{
-    return std::uniform_int_distribution<int>(low, high)(random);
-}
-
-vec3 random_point(std::mt19937& random, float half = 1)
-{
-    return {
-        uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
-}
-
-vec3 whole_point(std::mt19937& random, int half)
-{
-    return vec3(whole(random, -half, half), whole(random, -half, half), whole(random, -half, half));
-}
-
-/// Builds a world in units of about 1 around the origin; `finish` scales and moves it.
-struct Builder {
-    ShadowWorld& made;
-    std::mt19937& random;
-
-    void triangle(const vec3& a, const vec3& b, const vec3& c) { made.world.add(a, b, c); }
-    void quad(const vec3& a, const vec3& b, const vec3& c, const vec3& d)
-    {
-        triangle(a, b, c);
-        triangle(a, c, d);
-    }
-    /// n x n quads over points made by `point(i, j)`, i and j in [0, n]; vertices are shared.
-    template <class F>
-    void grid(int n, const F& point)
-    {
-        const auto first = std::uint32_t(made.world.world.position.size());
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) made.world.world.position.push_back(point(i, j));
-        const auto vertex = [&](int i, int j) { return first + std::uint32_t(j * (n + 1) + i); };
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                made.world.scene->index.push_back(
-                    {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-                made.world.scene->index.push_back(
-                    {vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-            }
-        }
-    }
-    void floor(float y = 0, float half = 3, int n = 6)
-    {
-        grid(n, [&](int i, int j) {
-            return vec3(
-                half * (2 * float(i) / float(n) - 1), y, half * (2 * float(j) / float(n) - 1));
-        });
-    }
-    void box(const vec3& low, const vec3& high)
-    {
-        const auto at = [&](int k) {
-            return vec3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
-        };
-        for (const auto& f :
-            {std::array{0, 1, 3, 2}, std::array{4, 6, 7, 5}, std::array{0, 4, 5, 1},
-                std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 5, 7, 3}})
-            quad(at(f[0]), at(f[1]), at(f[2]), at(f[3]));
-    }
-    void sphere(const vec3& middle, float radius, int n = 24)
-    {
-        const double step = std::numbers::pi / n;
-        grid(n, [&](int i, int j) {
-            const double a = 2 * step * (i % n), b = step * j;
-            const double ring = j % n == 0 ? 0 : std::sin(b);
-            return middle +
-                   radius * vec3(dvec3(ring * std::cos(a), std::cos(b), ring * std::sin(a)));
-        });
-    }
-    void light(const Light& l) { made.world.world.lights.push_back(l); }
-    void eye(const dvec3& eye, const dvec3& at = dvec3(0))
-    {
-        made.view.camera.eye = eye;
-        made.view.camera.direction = at - eye;
-    }
-    void some_lights()
-    {
-        light(point_light(dvec3(random_point(random, 2)) + dvec3(0, 3, 0)));
-        light(directional_light(dvec3(random_point(random)) - dvec3(0, 1.5, 0)));
-        light(spot_light({0.5, 3, 0.25}, {-0.1, -1, 0.1}, uniform(random, 0.2f, 1.2f)));
-    }
-};
 
 /// The finished world `factor` times as large, then moved.
 void transform(ShadowWorld& made, float factor, const vec3& offset)
@@ -389,32 +300,6 @@ void add_wide(Scenes& scenes)
 }
 
 } // namespace
-
-Light point_light(const dvec3& position)
-{
-    Light light;
-    light.position = position;
-    return light;
-}
-
-Light directional_light(const dvec3& direction)
-{
-    Light light;
-    light.kind = Light::Kind::directional;
-    light.direction = direction;
-    return light;
-}
-
-Light spot_light(const dvec3& position, const dvec3& direction, double outer_rad)
-{
-    Light light;
-    light.kind = Light::Kind::spot;
-    light.position = position;
-    light.direction = direction;
-    light.inner_rad = 0.5 * outer_rad;
-    light.outer_rad = outer_rad;
-    return light;
-}
 
 const std::vector<ShadowScene>& shadow_scenes()
 {
