@@ -1,0 +1,170 @@
+// look_up.cpp - how much of a light reaches the hits of a tile, by its shadow maps.
+#include "shadow/look_up.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shadow/look_up.cpp"
+#include "base/simd.h"
+
+#include "shadow/ray_transform-inl.h"
+#include "shadow/steepness-inl.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+#include "glsl/shadow_map.glsl"
+
+/// A map as a tile looks at it.
+struct MapView {
+    RayTransform to; // (texel x, texel y, depth), see ShadowMap::matrix
+    const float* depth = nullptr;
+    int width = 0;
+    int height = 0;
+    bool parallel = false;
+    int filter = 1;
+    float bias = -1;
+    float reach = 0;    // of texel_epsilon
+    float rounding = 0; // added to it, and kRounding of the depth
+};
+
+constexpr float kRounding = 0x1p-20f;
+
+MapView map_view(
+    const ShadowMaps& maps, const ShadowLight& light, const ShadowMap& map, const HitTile& hits)
+{
+    MapView view;
+    view.to = ray_transform(hits.frame, map.matrix, map.origin, map.offset);
+    view.depth = map.depth.data();
+    view.width = map.width();
+    view.height = map.height();
+    view.parallel = light.frame.parallel;
+    view.filter = maps.filter;
+    view.bias = float(maps.bias);
+    view.reach = float(0.5 * maps.filter * map.source.fit.texel);
+    const glm::dvec3 eye = glm::abs(glm::dvec3(hits.frame.eye) - map.origin);
+    view.rounding = kRounding * float(eye.x + eye.y + eye.z);
+    return view;
+}
+
+FIRSTHIT_PURE real clamped(real x, float most)
+{
+    return max(min(x, real(most)), real(0.0f)); // no number: most
+}
+
+FIRSTHIT_PURE integer whole(real x)
+{
+    return integer(hn::ConvertTo(IntegerTag(), x.lanes));
+}
+
+/// The share of the texels around the points at depth t that show nothing before them.
+HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real t, real steepness)
+{
+    const real3 p = transform_hits(map.to, x, y, first, t);
+    const real depth = p.z;
+    real column = p.x, row = p.y, epsilon = real(map.bias);
+    if (!map.parallel) {
+        const real inv_depth = real(1.0f) / depth;
+        column = column * inv_depth;
+        row = row * inv_depth;
+    }
+    if (map.bias < 0)
+        epsilon = texel_epsilon(map.parallel ? real(1.0f) : depth, steepness, real(map.reach)) +
+                  (depth * real(kRounding) + real(map.rounding));
+    const float last_column = float(map.width - 1), last_row = float(map.height - 1);
+    const integer stride(map.width);
+    if (map.filter == 1) {
+        const integer at = whole(clamped(floor(row), last_row)) * stride +
+                           whole(clamped(floor(column), last_column));
+        return mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
+    }
+    const real half(0.5f * float(map.filter - 1));
+    const real first_column = floor(column - half), first_row = floor(row - half);
+    real lit(0.0f);
+    for (int j = 0; j < map.filter; ++j) {
+        const integer start = whole(clamped(first_row + real(float(j)), last_row)) * stride;
+        for (int i = 0; i < map.filter; ++i) {
+            const integer at = start + whole(clamped(first_column + real(float(i)), last_column));
+            lit = lit +
+                  mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
+        }
+    }
+    return lit / real(float(map.filter * map.filter));
+}
+
+/// Calls body(block's x, block's y, first sample of a register in its block, its offset in the
+/// tile, its depths) for the registers that have an item.
+template <class Body>
+HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
+{
+    const real infinity(std::numeric_limits<float>::infinity());
+    const int blocks_x = hits.size / kBlock;
+    for (int block = 0; block < blocks_x * blocks_x; ++block) {
+        const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
+        for (int first = 0; first < kBlockSamples; first += kLanes) {
+            const int offset = block * kBlockSamples + first;
+            const real t = load(hits.t + offset);
+            if (any(t < infinity)) body(x, y, first, offset, t);
+        }
+    }
+}
+
+/// Every register holds its steepness in `lit` and leaves its light there.
+void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World& world,
+    const HitTile& hits, float* lit)
+{
+    const LightFrame& frame = light.frame;
+    spread_steepness(hits, world, frame, lit);
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const float tan2_cone = float(frame.tan2_cone);
+    const real zero(0.0f), one(1.0f);
+    MapView face[kFaces];
+    for (int k = 0; k < kFaces; ++k)
+        if (light.map[std::size_t(k)].width() > 0)
+            face[k] = map_view(maps, light, light.map[std::size_t(k)], hits);
+
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const real steepness = load(lit + offset);
+        const real3 p = transform_hits(to, x, y, first, t);
+        real share = one;
+        if (!frame.cube) {
+            if (face[kOnlyFace].width > 0)
+                share = lit_share(face[kOnlyFace], x, y, first, t, steepness);
+        } else {
+            const OnFaces on = on_faces(p);
+            for (int k = 0; k < kFaces; ++k) {
+                if (face[k].width == 0) continue;
+                const truth here = on.of(k);
+                if (any(here))
+                    share = mix(share, lit_share(face[k], x, y, first, t, steepness), here);
+            }
+        }
+        share = mix(zero, share, steepness > zero);
+        if (frame.tan2_cone > 0) share = mix(zero, share, in_cone(p, tan2_cone));
+        store(mix(one, share, has_shadow_ray(p, frame.parallel)), lit + offset);
+    });
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(look_up_tile);
+
+void look_up(
+    const ShadowMaps& maps, const World& world, const HitTile& hits, std::size_t light, float* lit)
+{
+    HWY_DYNAMIC_DISPATCH(look_up_tile)(maps, maps.light[light], world, hits, lit);
+}
+
+} // namespace firsthit
+#endif
