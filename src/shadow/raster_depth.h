@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/buffer.h"
+#include "base/tile_order.h"
 #include "visibility/view_memory.h"
 
 #include <cstdint>

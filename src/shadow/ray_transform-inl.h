@@ -79,7 +79,7 @@ FIRSTHIT_PURE real abs(real a)
 /// Which of a light's six faces points lie on. Every point lies on exactly one.
 struct OnFaces {
     truth axis[3];
-    truth negative[3]; // the side
+    truth negative[3];
 
     HWY_INLINE truth of(int face) const
     {
