@@ -10,8 +10,8 @@
 
 namespace firsthit {
 
-/// The rectangle of a face that hits fill: x / z and y / z of the face's axes, or x and y where the
-/// light is parallel. Empty where hits = 0.
+/// The rectangle of a face that hits fill, or a little more: x / z and y / z of the face's axes, or
+/// x and y where the light is parallel. Empty where hits = 0.
 struct FaceBounds {
     static constexpr float kInfinity = std::numeric_limits<float>::infinity();
 

@@ -21,10 +21,8 @@ LightFrame light_frame(const Light& light)
     along.kind = Light::Kind::directional;
     frame.axes = light_space(along, glm::dvec3(0)).axes;
     if (!frame.parallel) {
-        // Beyond 63 degrees one picture would be all border.
-        constexpr double kWidest = 2;
         const double tangent = std::tan(light.outer_rad);
-        frame.cube = !(tangent <= kWidest);
+        frame.cube = !(tangent <= kWidestTangent);
         frame.tan2_cone = tangent * tangent;
     }
     return frame;

@@ -22,6 +22,9 @@ namespace firsthit {
 inline constexpr int kFaces = 6;
 inline constexpr int kOnlyFace = 4; // of a light with one face
 
+/// Tangent of the widest half angle that one face looks at: 63 degrees.
+inline constexpr double kWidestTangent = 2;
+
 struct LightFrame {
     bool parallel = false; // the light's rays: along z, or from the origin
     bool cube = false;     // six faces

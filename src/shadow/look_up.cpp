@@ -78,23 +78,27 @@ HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real 
                   (depth * real(kRounding) + real(map.rounding));
     const float last_column = float(map.width - 1), last_row = float(map.height - 1);
     const integer stride(map.width);
-    if (map.filter == 1) {
-        const integer at = whole(clamped(floor(row), last_row)) * stride +
-                           whole(clamped(floor(column), last_column));
+    const auto lit_at = [&](integer row_start, real at_column) {
+        const integer at = row_start + whole(clamped(at_column, last_column));
         return mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
-    }
-    const real half(0.5f * float(map.filter - 1));
-    const real first_column = floor(column - half), first_row = floor(row - half);
+    };
     real lit(0.0f);
-    for (int j = 0; j < map.filter; ++j) {
-        const integer start = whole(clamped(first_row + real(float(j)), last_row)) * stride;
-        for (int i = 0; i < map.filter; ++i) {
-            const integer at = start + whole(clamped(first_column + real(float(i)), last_column));
-            lit = lit +
-                  mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
+    if (map.filter == 1) {
+        lit = lit_at(whole(clamped(floor(row), last_row)) * stride, floor(column));
+    } else {
+        const real half(0.5f * float(map.filter - 1));
+        const real first_column = floor(column - half), first_row = floor(row - half);
+        for (int j = 0; j < map.filter; ++j) {
+            const real at_row = first_row + real(float(j));
+            const integer start = whole(clamped(at_row, last_row)) * stride;
+            for (int i = 0; i < map.filter; ++i)
+                lit = lit + lit_at(start, first_column + real(float(i)));
         }
+        lit = lit / real(float(map.filter * map.filter));
     }
-    return lit / real(float(map.filter * map.filter));
+    // Without a shadow ray.
+    const truth near = abs(depth) < real(1e30f);
+    return mix(real(1.0f), lit, map.parallel ? near : near & (depth > real(0.0f)));
 }
 
 /// Calls body(block's x, block's y, first sample of a register in its block, its offset in the
@@ -114,40 +118,68 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
     }
 }
 
-/// Every register holds its steepness in `lit` and leaves its light there.
+/// What is known before a map is looked at: points that are seen from behind are dark.
+FIRSTHIT_PURE real facing_share(real share, real steepness)
+{
+    return mix(real(0.0f), share, steepness > real(0.0f));
+}
+
+/// All points are on one face. Every register holds its steepness in `lit` and leaves its light
+/// there.
+void look_up_face(const MapView& face, const HitTile& hits, float* lit)
+{
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const real steepness = load(lit + offset);
+        store(facing_share(lit_share(face, x, y, first, t, steepness), steepness), lit + offset);
+    });
+}
+
+/// The same, each point on its own face.
+void look_up_faces(
+    const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* lit)
+{
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const real steepness = load(lit + offset);
+        const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
+        real share(1.0f);
+        for (int k = 0; k < kFaces; ++k) {
+            const truth here = on.of(k);
+            if (face[k].width > 0 && any(here))
+                share = mix(share, lit_share(face[k], x, y, first, t, steepness), here);
+        }
+        store(facing_share(share, steepness), lit + offset);
+    });
+}
+
+/// Points outside of a spot's cone are dark.
+void darken_outside(const LightFrame& frame, const HitTile& hits, float* lit)
+{
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const float tan2_cone = float(frame.tan2_cone);
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const truth inside = in_cone(transform_hits(to, x, y, first, t), tan2_cone);
+        store(mix(real(0.0f), load(lit + offset), inside), lit + offset);
+    });
+}
+
 void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World& world,
     const HitTile& hits, float* lit)
 {
-    const LightFrame& frame = light.frame;
-    spread_steepness(hits, world, frame, lit);
-    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
-    const float tan2_cone = float(frame.tan2_cone);
-    const real zero(0.0f), one(1.0f);
+    spread_steepness(hits, world, light.frame, lit);
     MapView face[kFaces];
-    for (int k = 0; k < kFaces; ++k)
-        if (light.map[std::size_t(k)].width() > 0)
-            face[k] = map_view(maps, light, light.map[std::size_t(k)], hits);
-
-    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
-        const real steepness = load(lit + offset);
-        const real3 p = transform_hits(to, x, y, first, t);
-        real share = one;
-        if (!frame.cube) {
-            if (face[kOnlyFace].width > 0)
-                share = lit_share(face[kOnlyFace], x, y, first, t, steepness);
-        } else {
-            const OnFaces on = on_faces(p);
-            for (int k = 0; k < kFaces; ++k) {
-                if (face[k].width == 0) continue;
-                const truth here = on.of(k);
-                if (any(here))
-                    share = mix(share, lit_share(face[k], x, y, first, t, steepness), here);
-            }
-        }
-        share = mix(zero, share, steepness > zero);
-        if (frame.tan2_cone > 0) share = mix(zero, share, in_cone(p, tan2_cone));
-        store(mix(one, share, has_shadow_ray(p, frame.parallel)), lit + offset);
-    });
+    int faces = 0, last = kOnlyFace;
+    for (int k = 0; k < kFaces; ++k) {
+        if (light.map[std::size_t(k)].width() == 0) continue;
+        face[k] = map_view(maps, light, light.map[std::size_t(k)], hits);
+        ++faces;
+        last = k;
+    }
+    if (faces == 1)
+        look_up_face(face[last], hits, lit);
+    else
+        look_up_faces(light.frame, face, hits, lit);
+    if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);
 }
 
 } // namespace

@@ -39,16 +39,21 @@ inline RayTransform ray_transform(const TileFrame& frame, const glm::dmat3& matr
     return to;
 }
 
-/// Where the samples [first, first + kLanes) of the block at (x, y) of the tile are, at depth t.
-HWY_INLINE real3 transform_hits(const RayTransform& to, float x, float y, int first, real t)
+/// Where samples (x, y) of the tile are at depth t.
+FIRSTHIT_PURE real3 transform_points(const RayTransform& to, real x, real y, real t)
 {
-    const real px = real(x) + load(kBlockSamplesXY.x + first);
-    const real py = real(y) + load(kBlockSamplesXY.y + first);
     const auto axis = [&](int k) {
         return real(to.eye[k]) +
-               t * ((px * real(to.right[k]) + py * real(to.down[k])) + real(to.forward[k]));
+               t * ((x * real(to.right[k]) + y * real(to.down[k])) + real(to.forward[k]));
     };
     return real3(axis(0), axis(1), axis(2));
+}
+
+/// The same for the samples [first, first + kLanes) of the block at (x, y) of the tile.
+FIRSTHIT_PURE real3 transform_hits(const RayTransform& to, float x, float y, int first, real t)
+{
+    return transform_points(to, real(x) + load(kBlockSamplesXY.x + first),
+        real(y) + load(kBlockSamplesXY.y + first), t);
 }
 
 FIRSTHIT_PURE truth operator&(truth a, truth b)

@@ -2,6 +2,7 @@
 #include "shadow/shadow_map.h"
 
 #include "exact/hit.h"
+#include "shadow/merge_faces.h"
 #include "shadow/store_depth.h"
 #include "visibility/bins.h"
 #include "visibility/project.h"
@@ -128,6 +129,26 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
     ++maps.updates;
 }
 
+void update_light(const World& world, const Settings& settings, std::size_t number,
+    ShadowMaps& maps, Tasks& tasks)
+{
+    ShadowLight& light = maps.light[number];
+    LightBounds bounds;
+    for (std::size_t face = 0; face < bounds.size(); ++face)
+        for (const auto& worker : maps.workers) bounds[face].add(worker->bounds[number][face]);
+    merge_faces(bounds);
+    for (int face = 0; face < kFaces; ++face) {
+        ShadowMap& map = light.map[std::size_t(face)];
+        const MapSource wanted{light.frame,
+            map_fit(bounds[std::size_t(face)], settings.shadow_map_size, settings.shadow_filter),
+            maps.geometry.version};
+        maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
+        if (wanted == map.source) continue;
+        map.source = wanted;
+        if (wanted.fit.width > 0) make_map(world, face, maps, map, tasks);
+    }
+}
+
 } // namespace
 
 void start_maps(const World& world, int threads, ShadowMaps& maps)
@@ -156,21 +177,8 @@ void update_maps(const World& world, const Settings& settings, ShadowMaps& maps,
     maps.texels = 0;
     if (maps.light.empty()) return;
     follow(world, maps.geometry, tasks);
-    for (std::size_t light = 0; light < maps.light.size(); ++light) {
-        for (int face = 0; face < kFaces; ++face) {
-            FaceBounds bounds;
-            for (const auto& worker : maps.workers)
-                bounds.add(worker->bounds[light][std::size_t(face)]);
-            ShadowMap& map = maps.light[light].map[std::size_t(face)];
-            const MapSource wanted{maps.light[light].frame,
-                map_fit(bounds, settings.shadow_map_size, settings.shadow_filter),
-                maps.geometry.version};
-            maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
-            if (wanted == map.source) continue;
-            map.source = wanted;
-            if (wanted.fit.width > 0) make_map(world, face, maps, map, tasks);
-        }
-    }
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        update_light(world, settings, light, maps, tasks);
 }
 
 } // namespace firsthit
