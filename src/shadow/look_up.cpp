@@ -62,6 +62,19 @@ FIRSTHIT_PURE integer whole(real x)
     return integer(hn::ConvertTo(IntegerTag(), x.lanes));
 }
 
+/// Where the quads' row of texel row y starts, plus the row in the quad; and the same for a column
+/// (see quad_offset).
+FIRSTHIT_PURE integer row_offset(integer y, int quads_x)
+{
+    const integer quads = integer(hn::ShiftRight<2>(y.lanes)) * integer(quads_x);
+    return integer(hn::ShiftLeft<4>(quads.lanes)) +
+           integer(hn::ShiftLeft<2>((y & integer(3)).lanes));
+}
+FIRSTHIT_PURE integer column_offset(integer x)
+{
+    return integer(hn::ShiftLeft<4>(hn::ShiftRight<2>(x.lanes))) + (x & integer(3));
+}
+
 /// The share of the texels around the points at depth t that show nothing before them.
 HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real t, real steepness)
 {
@@ -77,20 +90,22 @@ HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real 
         epsilon = texel_epsilon(map.parallel ? real(1.0f) : depth, steepness, real(map.reach)) +
                   (depth * real(kRounding) + real(map.rounding));
     const float last_column = float(map.width - 1), last_row = float(map.height - 1);
-    const integer stride(map.width);
-    const auto lit_at = [&](integer row_start, real at_column) {
-        const integer at = row_start + whole(clamped(at_column, last_column));
+    const int quads_x = quads(map.width);
+    const auto start_of = [&](real at_row) {
+        return row_offset(whole(clamped(at_row, last_row)), quads_x);
+    };
+    const auto lit_at = [&](integer start, real at_column) {
+        const integer at = start + column_offset(whole(clamped(at_column, last_column)));
         return mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
     };
     real lit(0.0f);
     if (map.filter == 1) {
-        lit = lit_at(whole(clamped(floor(row), last_row)) * stride, floor(column));
+        lit = lit_at(start_of(floor(row)), floor(column));
     } else {
         const real half(0.5f * float(map.filter - 1));
         const real first_column = floor(column - half), first_row = floor(row - half);
         for (int j = 0; j < map.filter; ++j) {
-            const real at_row = first_row + real(float(j));
-            const integer start = whole(clamped(at_row, last_row)) * stride;
+            const integer start = start_of(first_row + real(float(j)));
             for (int i = 0; i < map.filter; ++i)
                 lit = lit + lit_at(start, first_column + real(float(i)));
         }
@@ -142,9 +157,10 @@ void look_up_faces(
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const real steepness = load(lit + offset);
         const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
+        const truth hit = t < real(std::numeric_limits<float>::infinity());
         real share(1.0f);
         for (int k = 0; k < kFaces; ++k) {
-            const truth here = on.of(k);
+            const truth here = hit & on.of(k);
             if (face[k].width > 0 && any(here))
                 share = mix(share, lit_share(face[k], x, y, first, t, steepness), here);
         }

@@ -3,7 +3,6 @@
 
 #include "exact/hit.h"
 #include "shadow/merge_faces.h"
-#include "shadow/store_depth.h"
 #include "visibility/bins.h"
 #include "visibility/project.h"
 
@@ -101,9 +100,8 @@ void raster_part(
         raster_depth(view, int(tile), depth);
         const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
         store_depth(depth, view.pencil,
-            {&map.depth[std::size_t(part.y + y) * std::size_t(map.width()) +
-                        std::size_t(part.x + x)],
-                map.width(), std::min(kTile, part.width - x), std::min(kTile, part.height - y)});
+            {&map.depth[quad_offset(part.x + x, part.y + y, map.width())], quads(map.width()),
+                std::min(kTile, part.width - x), std::min(kTile, part.height - y)});
     });
 }
 
@@ -123,7 +121,8 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
         rows[1] += middle.y * rows[2];
         map.matrix = glm::transpose(rows);
     }
-    map.depth.resize(std::size_t(map.width()) * std::size_t(map.height()));
+    map.depth.resize(
+        std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels);
     maps.view.pencil = pencil;
     raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
     ++maps.updates;

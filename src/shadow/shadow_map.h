@@ -15,7 +15,7 @@
 #include "hits/hit_tile.h"
 #include "shadow/geometry_copy.h"
 #include "shadow/map_fit.h"
-#include "shadow/raster_depth.h"
+#include "shadow/store_depth.h"
 #include "visibility/view_memory.h"
 
 #include <firsthit/render.h>
@@ -38,7 +38,7 @@ struct MapSource {
 /// One face of a light.
 struct ShadowMap {
     MapSource source;
-    Buffer<float> depth; // (height, width) along the face's z from `origin`; +inf where nothing is
+    Buffer<float> depth; // along the face's z from `origin`, +inf where nothing is; see quad_offset
     // matrix * (p - origin) + offset: (texel x, texel y, depth) of p; the first two times the depth
     // unless the light is parallel. Texel i reaches from i to i + 1.
     glm::dmat3 matrix{1};
@@ -47,6 +47,7 @@ struct ShadowMap {
 
     int width() const { return source.fit.width; }
     int height() const { return source.fit.height; }
+    float at(int x, int y) const { return depth[quad_offset(x, y, width())]; }
 };
 
 struct ShadowLight {

@@ -5,8 +5,6 @@
 
 #include "shadow/store_depth.h"
 
-#include <algorithm>
-#include <cstring>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -16,26 +14,20 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void store(DepthTile& tile, const Pencil& pencil, const MapWindow& window)
+void store(const DepthTile& tile, const Pencil& pencil, const MapWindow& window)
 {
-    const hn::ScalableTag<float> d;
+    const hn::CappedTag<float, kQuadTexels> d;
     const auto nothing = hn::Set(d, std::numeric_limits<float>::infinity());
     const auto far = hn::Set(d, float(pencil.far)), one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    float* w = tile.w.data();
-    for (std::size_t k = 0; k < tile.w.size(); k += hn::Lanes(d)) {
-        const auto inverse = hn::Load(d, w + k);
-        const auto depth = pencil.parallel ? hn::Sub(far, inverse) : hn::Div(one, inverse);
-        hn::Store(hn::IfThenElse(hn::Gt(inverse, zero), depth, nothing), d, w + k);
-    }
-    // Four texels of a tile that start at a multiple of four lie side by side.
-    for (int y = 0; y < window.height; ++y) {
-        float* row = window.depth + std::size_t(y) * std::size_t(window.stride);
+    for (int y = 0; y < window.height; y += 4) {
         for (int x = 0; x < window.width; x += 4) {
-            const float* from = w + tile.column_offset[x] + tile.row_offset[y];
-            if (x + 4 <= window.width)
-                std::memcpy(row + x, from, 4 * sizeof(float));
-            else
-                std::copy_n(from, window.width - x, row + x);
+            const float* from = tile.w.data() + tile.column_offset[x] + tile.row_offset[y];
+            float* to = window.depth + (y / 4 * window.quads_x + x / 4) * kQuadTexels;
+            for (std::size_t k = 0; k < kQuadTexels; k += hn::Lanes(d)) {
+                const auto w = hn::Load(d, from + k);
+                const auto depth = pencil.parallel ? hn::Sub(far, w) : hn::Div(one, w);
+                hn::Store(hn::IfThenElse(hn::Gt(w, zero), depth, nothing), d, to + k);
+            }
         }
     }
 }
@@ -50,7 +42,7 @@ namespace firsthit {
 
 HWY_EXPORT(store);
 
-void store_depth(DepthTile& tile, const Pencil& pencil, const MapWindow& window)
+void store_depth(const DepthTile& tile, const Pencil& pencil, const MapWindow& window)
 {
     HWY_DYNAMIC_DISPATCH(store)(tile, pencil, window);
 }
