@@ -6,7 +6,8 @@
 //
 // KIND is scene (the scene's first light, the default), spot or directional: from the same place
 // towards what is seen. Embree's tree is built beforehand and not counted; its rays start at the
-// light and end 1e-4 of their length before the hit, without the item's own triangle.
+// light, or at the hit where it is directional, and keep 1e-4 of their length or of the hit's depth
+// away from it; the item's own triangle does not count.
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "hits/hit_position.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -87,10 +89,11 @@ class Occlusion {
                     float(block % blocks_x * kBlock + block_x(offset % kBlockSamples)),
                     float(block / blocks_x * kBlock + block_y(offset % kBlockSamples)),
                     hits.t[offset]);
-                const glm::vec3 org = parallel ? p - along * 1e4f : from, dir = p - org;
+                const glm::vec3 org = parallel ? p : from, dir = parallel ? -along : p - org;
                 ray.org_x[k] = org.x, ray.org_y[k] = org.y, ray.org_z[k] = org.z;
                 ray.dir_x[k] = dir.x, ray.dir_y[k] = dir.y, ray.dir_z[k] = dir.z;
-                ray.tfar[k] = 1 - 1e-4f;
+                ray.tnear[k] = parallel ? 1e-4f * hits.t[offset] : 0;
+                ray.tfar[k] = parallel ? std::numeric_limits<float>::infinity() : 1 - 1e-4f;
                 ray.mask[k] = ~0u;
                 ray.id[k] = hits.item[offset];
             }

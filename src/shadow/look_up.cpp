@@ -35,6 +35,9 @@ struct MapView {
 
 constexpr float kRounding = 0x1p-20f;
 
+/// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
+constexpr double kNeighbours = 1.5;
+
 MapView map_view(
     const ShadowMaps& maps, const ShadowLight& light, const ShadowMap& map, const HitTile& hits)
 {
@@ -46,7 +49,7 @@ MapView map_view(
     view.parallel = light.frame.parallel;
     view.filter = maps.filter;
     view.bias = float(maps.bias);
-    view.reach = float(0.5 * maps.filter * map.source.fit.texel);
+    view.reach = float(kNeighbours * 0.5 * maps.filter * map.source.fit.texel);
     const glm::dvec3 eye = glm::abs(glm::dvec3(hits.frame.eye) - map.origin);
     view.rounding = kRounding * float(eye.x + eye.y + eye.z);
     return view;

@@ -14,8 +14,8 @@ namespace firsthit {
 /// A texel's depth counts as before the hit's where it is less by more than epsilon:
 ///
 ///     settings.shadow_bias >= 0   epsilon = shadow_bias, along the axis of the map
-///     else                        epsilon = texel_epsilon (src/glsl/shadow_map.glsl), with half of N
-///                                 texels to reach, + 2^-20 of the numbers that were rounded
+///     else                        epsilon = 1.5 texel_epsilon (src/glsl/shadow_map.glsl), with half
+///                                 of N texels to reach, + 2^-20 of the numbers that were rounded
 ///
 /// lit      (hits.size^2) aligned to 64 bytes
 /// limits   what is nearer to its receiver than epsilon casts no shadow; borders are a texel wide

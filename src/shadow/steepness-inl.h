@@ -11,6 +11,8 @@
 #include "shadow/light_frame.h"
 #include "visibility/set_up-inl.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -59,6 +61,18 @@ HWY_INLINE void find_steepness(
     }
 }
 
+/// Asks for the memory of runs that come soon: first their indices, then their corners.
+HWY_INLINE void prefetch_runs(const HitTile& hits, const World& world, std::size_t run)
+{
+    constexpr std::size_t kIndices = 24, kCorners = 12; // runs ahead
+    if (run + kIndices < hits.runs.size())
+        hwy::Prefetch(&world.scene->index[hits.runs[run + kIndices].item]);
+    if (run + kCorners < hits.runs.size()) {
+        const glm::uvec3& corner = world.scene->index[hits.runs[run + kCorners].item];
+        for (int k = 0; k < 3; ++k) hwy::Prefetch(&world.position[corner[k]]);
+    }
+}
+
 /// Writes the steepness of all runs' samples.
 inline void spread_steepness(
     const HitTile& hits, const World& world, const LightFrame& light, float* steepness)
@@ -69,6 +83,7 @@ inline void spread_steepness(
         const auto runs = hits.runs.subspan(
             start, std::min<std::size_t>(SteepnessBatch::kRuns, hits.runs.size() - start));
         for (std::size_t i = 0; i < runs.size(); ++i) {
+            prefetch_runs(hits, world, start + i);
             const glm::uvec3& corner = world.scene->index[runs[i].item];
             for (int k = 0; k < 3; ++k) {
                 const glm::vec3& p = world.position[corner[k]];
@@ -81,9 +96,12 @@ inline void spread_steepness(
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const real value(batch.steepness[i]);
             float* block = steepness + std::size_t(runs[i].block) * kBlockSamples;
-            for (int first = 0; first < kBlockSamples; first += kLanes)
-                if (const std::uint64_t bits = lane_bits(runs[i].samples, first))
+            for (int first = 0; first < kBlockSamples; first += kLanes) {
+                const std::uint64_t bits = lane_bits(runs[i].samples, first);
+                // Wide registers are few: to write them all is faster than to guess which.
+                if (kLanes >= 8 || bits != 0)
                     store_where(truth_of_bits(bits), value, block + first);
+            }
         }
     }
 }

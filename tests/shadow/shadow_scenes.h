@@ -157,9 +157,9 @@ inline PlainHit plain_hit(
     const double to_light = light.frame.parallel ? n_frame.z : glm::dot(n, v0 - light.frame.origin);
     plain.faces_light = to_light * glm::dot(n, v0 - glm::dvec3(hits.frame.eye)) > 0;
     const double sum = std::abs(n_frame.x) + std::abs(n_frame.y) + std::abs(n_frame.z);
-    plain.epsilon = maps.bias >= 0
-                        ? maps.bias
-                        : scale * scale * sum / std::abs(to_light) * 0.5 * maps.filter * fit.texel;
+    plain.epsilon = maps.bias >= 0 ? maps.bias
+                                   : scale * scale * sum / std::abs(to_light) * 1.5 * 0.5 *
+                                         maps.filter * fit.texel;
     return plain;
 }
 
