@@ -171,6 +171,35 @@ void look_up_faces(
     });
 }
 
+/// The face that all hits of the tile are on, or -1 where they may be on several: the hull of its
+/// corner rays between the least and the greatest depth is on a face if its corners are.
+int common_face(const LightFrame& frame, const HitTile& hits)
+{
+    const RealTag d;
+    const real infinity(std::numeric_limits<float>::infinity());
+    real nearest = infinity, farthest(0.0f);
+    for_registers(hits, [&](float, float, int, int, real t) {
+        nearest = min(nearest, t);
+        farthest = max(farthest, mix(real(0.0f), t, t < infinity));
+    });
+    const double depth[2] = {double(hn::GetLane(hn::MinOfLanes(d, nearest.lanes))),
+        double(hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)))};
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    int common = -1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double x = corner & 1 ? hits.size - 1 : 0, y = corner & 2 ? hits.size - 1 : 0;
+        const glm::dvec3 p = glm::dvec3(to.eye) + depth[corner / 4] * (x * glm::dvec3(to.right) +
+                                                                          y * glm::dvec3(to.down) +
+                                                                          glm::dvec3(to.forward));
+        const glm::dvec3 size = glm::abs(p);
+        const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+        const int face = 2 * axis + (p[axis] < 0 ? 1 : 0);
+        if (corner > 0 && face != common) return -1;
+        common = face;
+    }
+    return common;
+}
+
 /// Points outside of a spot's cone are dark.
 void darken_outside(const LightFrame& frame, const HitTile& hits, float* lit)
 {
@@ -187,15 +216,16 @@ void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World&
 {
     spread_steepness(hits, world, light.frame, lit);
     MapView face[kFaces];
-    int faces = 0, last = kOnlyFace;
+    int faces = 0, only = -1;
     for (int k = 0; k < kFaces; ++k) {
         if (light.map[std::size_t(k)].width() == 0) continue;
         face[k] = map_view(maps, light, light.map[std::size_t(k)], hits);
         ++faces;
-        last = k;
+        only = k;
     }
-    if (faces == 1)
-        look_up_face(face[last], hits, lit);
+    if (faces > 1) only = common_face(light.frame, hits);
+    if (only >= 0 && face[only].width > 0)
+        look_up_face(face[only], hits, lit);
     else
         look_up_faces(light.frame, face, hits, lit);
     if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);

@@ -29,7 +29,10 @@ struct DepthTile {
     alignas(64) std::int32_t x0[kBatch], y0[kBatch], x1[kBatch], y1[kBatch]; // samples, inclusive
     alignas(64) float gx[3][kBatch], gy[3][kBatch], c[3][kBatch];            // edges, inside > 0
     alignas(64) float wx[kBatch], wy[kBatch], wc[kBatch];                    // 1/t
-    alignas(64) float least_w[kBatch], greatest_w[kBatch];                   // of the corners
+    alignas(
+        64) std::int32_t tiny[kBatch];   // not 0: the box has at most 2x2 texels, decided in set-up
+    alignas(64) float tiny_w[4][kBatch]; // at its corners: 1/t where covered, else 0
+    alignas(64) float least_w[kBatch], greatest_w[kBatch]; // of the corners
 };
 
 /// Prepares a worker's tile; allocates where it is larger than before.
