@@ -67,12 +67,14 @@ void set_up_depth(DepthTile& tile, int i, float x0, float y0)
     store(hn::Mul(at_first(p.n), inverse_volume), tile.wc);
 
     // Its depths lie between those of its corners, whatever rounding says.
-    const V nearest = hn::Min(v0.z, hn::Min(v1.z, v2.z)),
-            farthest = hn::Max(v0.z, hn::Max(v1.z, v2.z));
-    store(hn::Div(one, farthest), tile.least_w);
-    store(hn::IfThenElse(hn::Gt(nearest, hn::Zero(d)), hn::Div(one, nearest),
-              hn::Set(d, std::numeric_limits<double>::infinity())),
-        tile.greatest_w);
+    const auto z = [&](int axis) { return hn::Load(f, tile.corner[axis] + i); };
+    const auto nearest = hn::Min(z(2), hn::Min(z(5), z(8)));
+    const auto farthest = hn::Max(z(2), hn::Max(z(5), z(8)));
+    const auto single = hn::Set(f, 1.0f);
+    hn::Store(hn::Div(single, farthest), f, tile.least_w + i);
+    hn::Store(hn::IfThenElse(hn::Gt(nearest, hn::Zero(f)), hn::Div(single, nearest),
+                  hn::Set(f, std::numeric_limits<float>::infinity())),
+        f, tile.greatest_w + i);
 }
 
 /// 1/t at the four corners of boxes of at most 2x2 texels, 0 where the triangle does not cover them
@@ -137,7 +139,6 @@ HWY_INLINE void raster_triangle(DepthTile& tile, int i)
             const auto along = [&](auto g, auto r) { return hn::Add(hn::Mul(g, px), r); };
             const auto least = hn::Min(along(gx0, r0), hn::Min(along(gx1, r1), along(gx2, r2)));
             const auto inside = hn::Gt(least, inside_from);
-            if (hn::AllFalse(d, inside)) continue;
             float* at = tile.w.data() + tile.column_offset[x] + tile.row_offset[y];
             const auto stored = hn::Load(d, at);
             const auto w = between(d, along(wx, rw), least_w, greatest_w);
