@@ -110,7 +110,7 @@ struct Picture {
     }
 };
 
-void shade_picture(const Picture& picture)
+void shade_picture(const Picture& picture, const LitTile& lit = {})
 {
     alignas(64) static float color[3][kTile * kTile];
     ShadeTargets targets;
@@ -118,7 +118,7 @@ void shade_picture(const Picture& picture)
     HitTile hits = picture.hits();
     for (const std::vector<HitRun>& runs : picture.runs) {
         hits.runs = runs;
-        shade_tile(hits, picture.world, targets);
+        shade_tile(hits, picture.world, lit, targets);
         benchmark::DoNotOptimize(color);
     }
 }
@@ -132,6 +132,24 @@ BENCHMARK(shade_a_million)
     ->ArgNames({"run", "textured", "lights"})
     ->ArgsProduct({{1, 6, 16, 64}, {0, 1}, {1}})
     ->Args({6, 0, 4})
+    ->Unit(benchmark::kMillisecond);
+
+/// Runs of 6 and one light of a kind (point, spot, directional), which reaches so many of each 64
+/// samples; -1: without shadows.
+void shade_a_million_by(benchmark::State& state)
+{
+    Picture picture(6, false, 1);
+    Light& light = picture.world.lights[0];
+    light.kind = Light::Kind(state.range(0));
+    light.outer_rad = 1.5;
+    alignas(64) static float share[kTile * kTile];
+    for (int k = 0; k < kTile * kTile; ++k) share[k] = k % 64 < state.range(1) ? 1.0f : 0.0f;
+    const LitTile lit{state.range(1) < 0 ? nullptr : share, kTile * kTile};
+    for (auto _ : state) shade_picture(picture, lit);
+}
+BENCHMARK(shade_a_million_by)
+    ->ArgNames({"kind", "lit"})
+    ->ArgsProduct({{0, 1, 2}, {-1, 0, 32, 64}})
     ->Unit(benchmark::kMillisecond);
 
 /// Runs of 6 and 1 light, on one instruction set.

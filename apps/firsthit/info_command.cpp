@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -48,6 +49,30 @@ std::uint64_t memory_of(const World& world)
 {
     return bytes(world.position) + bytes(world.normal) + bytes(world.lights) +
            bytes(world.node_matrix) + bytes(world.node_visible);
+}
+
+/// How many lights of each kind there are.
+Json light_kinds(const Scene& scene)
+{
+    const auto count = [&](Light::Kind kind) {
+        return std::count_if(scene.lights.begin(), scene.lights.end(),
+            [kind](const Light& light) { return light.kind == kind; });
+    };
+    return {{"point", count(Light::Kind::point)}, {"spot", count(Light::Kind::spot)},
+        {"directional", count(Light::Kind::directional)}};
+}
+
+/// "2: 1 point, 1 spot"
+std::string lights_text(const Json& info)
+{
+    std::string text = std::to_string(info["lights"].get<std::size_t>());
+    const char* separator = ": ";
+    for (const auto& [kind, count] : info["light_kinds"].items()) {
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}", separator, count.get<std::size_t>(), kind);
+        separator = ", ";
+    }
+    return text;
 }
 
 Json clips(const Scene& scene)
@@ -93,6 +118,7 @@ Json describe(const Scene& scene, const World& world, const std::string& name)
         {"materials", scene.materials.size()},
         {"textures", scene.textures.size()},
         {"lights", scene.lights.size()},
+        {"light_kinds", light_kinds(scene)},
         {"camera", camera_kind(scene)},
         {"clips", clips(scene)},
         {"bounds", {{"min", vector(box[0])}, {"max", vector(box[1])}}},
@@ -108,9 +134,9 @@ std::string info_text(const Json& info)
         fmt::format_to(std::back_inserter(text), "{:<10} {}\n", name, value);
     };
     line("scene", info["scene"].get<std::string>());
-    for (const char* count :
-        {"triangles", "vertices", "parts", "nodes", "materials", "textures", "lights"})
+    for (const char* count : {"triangles", "vertices", "parts", "nodes", "materials", "textures"})
         line(count, std::to_string(info[count].get<std::size_t>()));
+    line("lights", lights_text(info));
     line("camera", info["camera"].get<std::string>());
     line("clips", std::to_string(info["clips"].size()));
     for (const Json& clip : info["clips"])

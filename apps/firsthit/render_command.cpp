@@ -48,7 +48,9 @@ int run_render(const RenderOptions& options)
     run.samples = options.samples;
     run.instruction_set = instruction_set();
     const Stopwatch loading;
-    const Scene scene = load(options.scene);
+    Scene scene = load(options.scene);
+    apply(options.light, scene);
+    check_memory(options, scene.lights.size());
     run.load_ms = loading.ms();
 
     const std::vector<double> times =

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -23,6 +24,9 @@ constexpr const char* kExamples = R"(Examples:
   firsthit render bunny.stl -o bunny.png --eye 0,0.12,0.3 --size 1920x1080 --samples 2
   firsthit render bunny.stl --aov item=item.npy --aov depth=depth.exr
   firsthit render builtin:robots --frames 0:10:251 -o robots_%04d.png --stats
+  firsthit render builtin:torus -o spot.png --light spot:2,5,3,-2,-5,-3,40,30 --aov lit=lit.npy
+  firsthit render builtin:torus -o sun.png --light directional:-1,-3,-1 --light point:0,4,0
+  firsthit render builtin:robots -o maps.png --shadows map --shadow-map-size 2048 --shadow-filter 3
 
 Pictures are .png (8 bit, sRGB) or .exr (float, linear); planes are .exr or .npy:
   item              triangle id, uint32; none = 0xFFFFFFFF
@@ -34,6 +38,7 @@ Pictures are .png (8 bit, sRGB) or .exr (float, linear); planes are .exr or .npy
   position          world space
   albedo            diffuse colour times texture, linear
   barycentric       u, v: weights of the triangle's corners 1 and 2
+  lit               a channel for each light: the share that shadows leave, 0 to 1
 Planes are of the ray through the pixel's centre, never blended. Row 0 is the top.
 
 FIRSTHIT_ISA in the environment (AVX2, SSE4, ...) lowers the instruction set; results stay the same.
@@ -92,9 +97,11 @@ void check_no_file_twice(const RenderOptions& options)
     }
 }
 
-void check_memory(const RenderOptions& options)
+} // namespace
+
+void check_memory(const RenderOptions& options, std::size_t lights)
 {
-    const std::uint64_t needed = film_bytes(options);
+    const std::uint64_t needed = film_bytes(options, lights);
     const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     if (needed <= memory) return;
@@ -104,8 +111,6 @@ void check_memory(const RenderOptions& options)
             options.camera.size.width, options.camera.size.height,
             static_cast<double>(needed) / 1e9, static_cast<double>(memory) / 1e9));
 }
-
-} // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& options)
 {
@@ -128,6 +133,7 @@ void add_render_options(CLI::App& app, RenderOptions& options)
         "numbered from 0")
         ->excludes(time);
     add_camera_options(app, options.camera);
+    add_light_options(app, options.light);
     const auto integer = [](int low, int high) {
         return [low, high](const std::string& text) { return parse_integer(text, low, high); };
     };
@@ -148,6 +154,7 @@ void check(const RenderOptions& options)
     const bool measured = options.stats || !options.stats_json.empty();
     if (options.output.empty() && options.aovs.empty() && !measured)
         throw UsageError("nothing is asked for: say -o FILE, --aov NAME=FILE or --stats");
+    check(options.light);
     check_patterns(options);
     check_no_file_twice(options);
     try {
@@ -158,7 +165,7 @@ void check(const RenderOptions& options)
     }
     if (!options.stats_json.empty() && options.stats_json != "-")
         check_output_path(options.stats_json);
-    check_memory(options);
+    check_memory(options, options.light.lights.size());
 }
 
 std::string file_name(const RenderOptions& options, const std::string& text, int frame)
@@ -173,17 +180,19 @@ Settings render_settings(const RenderOptions& options)
     settings.color = !options.output.empty() || options.aovs.empty();
     settings.tile_size = options.tile_size;
     for (const AovOutput& aov : options.aovs) settings.aovs.push_back(aov.aov);
+    apply(options.light, settings);
     return settings;
 }
 
-std::uint64_t film_bytes(const RenderOptions& options)
+std::uint64_t film_bytes(const RenderOptions& options, std::size_t lights)
 {
     const Settings settings = render_settings(options);
     std::set<Aov> planes(settings.aovs.begin(), settings.aovs.end());
-    int channels = settings.color ? 3 : 0;
-    for (const Aov aov : planes) channels += aov_channels(aov);
-    return 4 * static_cast<std::uint64_t>(channels) *
-           static_cast<std::uint64_t>(options.camera.size.width) *
+    std::uint64_t channels = settings.color ? 3 : 0;
+    for (const Aov aov : planes)
+        channels += aov == Aov::lit ? std::min(lights, kMaxLitLights)
+                                    : static_cast<std::uint64_t>(aov_channels(aov));
+    return 4 * channels * static_cast<std::uint64_t>(options.camera.size.width) *
            static_cast<std::uint64_t>(options.camera.size.height);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera_options.h"
+#include "light_options.h"
 #include "parse.h"
 #include "scene_options.h"
 
@@ -19,6 +20,7 @@ namespace firsthit::cli {
 struct RenderOptions {
     SceneOptions scene;
     CameraOptions camera;
+    LightOptions light;
     std::string output; // empty: no picture
     std::vector<AovOutput> aovs;
     std::optional<double> time_s; // none: the scene's begin
@@ -33,7 +35,8 @@ struct RenderOptions {
 void add_render_options(CLI::App& app, RenderOptions& options);
 
 /// Finds what cannot work before the scene is loaded.
-/// throws  UsageError: nothing is asked for, an ending, a pattern of frames, a file named twice
+/// throws  UsageError: nothing is asked for, an ending, a pattern of frames, a file named twice, an
+///         option of shadow maps without them
 ///         FileError: a folder is missing or may not be written
 ///         DeviceError: the film is larger than the machine's memory
 void check(const RenderOptions& options);
@@ -41,8 +44,11 @@ void check(const RenderOptions& options);
 /// The name of a file for one frame: numbered where there are several.
 std::string file_name(const RenderOptions& options, const std::string& text, int frame);
 
-/// What a film of these options takes.
-std::uint64_t film_bytes(const RenderOptions& options);
+/// What a film of these options and so many lights takes.
+std::uint64_t film_bytes(const RenderOptions& options, std::size_t lights);
+
+/// throws  DeviceError: that is more than the machine's memory
+void check_memory(const RenderOptions& options, std::size_t lights);
 
 /// What the renderer is told.
 Settings render_settings(const RenderOptions& options);

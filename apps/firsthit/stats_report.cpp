@@ -21,6 +21,7 @@ constexpr Stage kStages[] = {
     {"setup", &Stats::setup_ms},
     {"raster", &Stats::raster_ms},
     {"resolve", &Stats::resolve_ms},
+    {"shadow", &Stats::shadow_ms},
     {"shade", &Stats::shade_ms},
     {"write", &Stats::write_ms},
     {"total", &Stats::total_ms},
@@ -41,6 +42,11 @@ constexpr Count kCounts[] = {
     {"ambiguous lanes", "ambiguous_lanes", &Stats::ambiguous_lanes},
     {"exact calls", "exact_calls", &Stats::exact_calls},
     {"hits", "hits", &Stats::hits},
+    {"shadow points", "shadow_points", &Stats::shadow_points},
+    {"shadow triangles", "shadow_triangles", &Stats::shadow_triangles},
+    {"shadow pairs", "shadow_pairs", &Stats::shadow_pairs},
+    {"shadow uncertain", "shadow_uncertain", &Stats::shadow_uncertain},
+    {"map updates", "map_updates", &Stats::map_updates},
 };
 
 template <class T>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,14 +22,18 @@ enum class Aov {
     position,         // 3: world space, none = 0
     albedo,           // 3: diffuse colour times texture, linear; none = 0
     barycentric,      // 2: u, v, weights of corners 1 and 2 (Embree's convention); none = 0
+    lit, // one for each light: the share of it that arrives, 0 (in shadow) to 1; none = 0
 };
-inline constexpr int kAovCount = 9;
+inline constexpr int kAovCount = 10;
+
+/// The plane `lit` is made of at most so many lights.
+inline constexpr std::size_t kMaxLitLights = 64;
 
 /// "item", "depth", ...
 std::string_view aov_name(Aov aov);
 /// throws ArgumentError that lists the names
 Aov aov_from_name(std::string_view name);
-/// 1, 2 or 3
+/// 1, 2 or 3; 0 for `lit`, which has as many as the world has lights (Plane::channels says it)
 int aov_channels(Aov aov);
 
 /// (height, width, channels) float, row 0 at the top. Empty where it was not asked for.
@@ -55,9 +60,9 @@ struct Film {
 /// throws  FileError (cannot be written), ArgumentError (another ending)
 void write_color(const Film& film, const std::string& path);
 
-/// Writes one plane as .exr (item as UINT, the others as FLOAT; channel names Z, N.X, P.X, ... ) or
-/// .npy (uint32 (H, W) for item, float32 (H, W) or (H, W, C)), by the file's ending.
-/// throws  as write_color; ArgumentError where the film lacks the plane
+/// Writes one plane as .exr (item as UINT, the others as FLOAT; channel names Z, N.X, P.X, lit.0,
+/// ...) or .npy (uint32 (H, W) for item, float32 (H, W) or (H, W, C)), by the file's ending.
+/// throws  as write_color; ArgumentError where the film lacks the plane or lit has too many lights
 void write_aov(const Film& film, Aov aov, const std::string& path);
 
 /// Throws what write_color or write_aov would throw for the path alone: another ending, a folder

@@ -39,17 +39,23 @@ struct Stats {
     double setup_ms = 0; // vertices to the view, triangles to tiles
     double raster_ms = 0;
     double resolve_ms = 0;
+    double shadow_ms = 0; // which lights reach what is seen, on all threads
     double shade_ms = 0;
     double write_ms = 0; // filled in by who writes
     double total_ms = 0;
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t in_view = 0;         // triangles whose box holds a sample
-    std::uint64_t tile_entries = 0;    // (triangle, tile) pairs
-    std::uint64_t uncertain_lanes = 0; // coverage that the float filter left open
-    std::uint64_t ambiguous_lanes = 0; // depth order that the float filter left open
-    std::uint64_t exact_calls = 0;     // answered by expansion arithmetic
-    std::uint64_t hits = 0;            // samples with an item
+    std::uint64_t in_view = 0;          // triangles whose box holds a sample
+    std::uint64_t tile_entries = 0;     // (triangle, tile) pairs
+    std::uint64_t uncertain_lanes = 0;  // coverage that the float filter left open
+    std::uint64_t ambiguous_lanes = 0;  // depth order that the float filter left open
+    std::uint64_t exact_calls = 0;      // answered by expansion arithmetic
+    std::uint64_t hits = 0;             // samples with an item
+    std::uint64_t shadow_points = 0;    // (hit, light) pairs whose light was asked for
+    std::uint64_t shadow_triangles = 0; // (triangle, light) pairs that may shadow a point
+    std::uint64_t shadow_pairs = 0;     // tests of a triangle against a point
+    std::uint64_t shadow_uncertain = 0; // of these, left open by the float filter
+    std::uint64_t map_updates = 0;      // shadow maps made anew
 };
 
 /// Renders frames; keeps the memory that they share. One frame at a time.
@@ -63,7 +69,9 @@ class Renderer {
 
     /// Poses the scene and makes the picture. A film's memory is reused by the next call that is
     /// given the same film.
-    /// throws  ArgumentError: a size, region, sample count or camera out of range
+    /// throws  ArgumentError: a size, region, sample count, camera or shadow setting out of range,
+    ///         Aov::lit of a world without lights or with more than kMaxLitLights
+    ///         SceneError: a light that contradicts itself
     void render(
         const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 

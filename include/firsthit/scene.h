@@ -111,11 +111,12 @@ struct Light {
     };
     Kind kind = Kind::point;
     glm::dvec3 position{0};         // point, spot
-    glm::dvec3 direction{0, -1, 0}; // spot, directional: the way the light goes; any length above 0
-    double inner_rad = 0;           // spot: half angle of the cone that has the full light
-    double outer_rad = 0.78539816339744831; // spot: half angle where it ends, in (inner, pi / 2)
+    glm::dvec3 direction{0, -1, 0}; // spot, directional: the way the light goes, of any length
+    double inner_rad = 0; // spot: half angle of the cone that has the full light, 0 to outer
+    double outer_rad = 0.78539816339744831; // spot: half angle where it ends, in (0, pi / 2);
+                                            // between the two it fades as smoothstep of the cosine
     glm::vec3 color{1.0f};
-    std::int32_t track = -1; // >= 0: the track's translation replaces position
+    std::int32_t track = -1; // >= 0: the track's translation replaces the position
 };
 
 /// A scene as read, immutable after loading. Right-handed, y up.

@@ -95,6 +95,22 @@ void store_distance(const PixelRect& rect, const HitTile& hits, int film_width, 
     });
 }
 
+/// The share of each light where there is an item, else 0.
+void store_lit(
+    const PixelRect& rect, const HitTile& hits, const LitTile& lit, int film_width, Plane& to)
+{
+    const std::size_t lights = std::size_t(to.channels);
+    for (std::size_t light = 0; light < lights; ++light) {
+        const float* share = lit.of_light(light);
+        for_quads(rect, film_width, hits.size, [&](std::size_t pixel, int offset, int count) {
+            for (int k = 0; k < count; ++k, ++pixel, ++offset) {
+                const bool hit = hits.item[offset] != kNoItem;
+                to.value[pixel * lights + light] = !hit ? 0.0f : share ? share[offset] : 1.0f;
+            }
+        });
+    }
+}
+
 /// Planes that come from the hit itself.
 void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
 {
@@ -132,7 +148,8 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
     point(targets.albedo, contains(aovs, Aov::albedo));
 }
 
-void resize(Film& film, int width, int height, bool color, std::span<const Aov> aovs)
+void resize(
+    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights)
 {
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
     const auto size = [&](Plane& plane, int channels) {
@@ -144,7 +161,7 @@ void resize(Film& film, int width, int height, bool color, std::span<const Aov> 
         if (aov == Aov::item)
             film.item.resize(pixels);
         else
-            size(film[aov], aov_channels(aov));
+            size(film[aov], aov == Aov::lit ? int(lights) : aov_channels(aov));
     }
 }
 
@@ -156,7 +173,8 @@ void clear_unused(Film& film, bool color, std::span<const Aov> aovs)
         if (!contains(aovs, Aov(a))) film[Aov(a)].value.clear();
 }
 
-void store_tile(const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film)
+void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
+    const ShadeTargets& shaded, Film& film)
 {
     const PixelRect rect = pixels_of(place);
     const auto copy2 = [&](const float* const* from, Plane& to) {
@@ -171,6 +189,7 @@ void store_tile(const TilePlace& place, const HitTile& hits, const ShadeTargets&
     if (place.samples == 1) {
         copy3(shaded.color, film.color);
         store_hits(rect, hits, film);
+        if (!film[Aov::lit].empty()) store_lit(rect, hits, lit, film.width, film[Aov::lit]);
     } else if (shaded.color[0]) {
         average_color(rect, place, {shaded.color[0], shaded.color[1], shaded.color[2]}, film);
     }

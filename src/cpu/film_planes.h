@@ -18,15 +18,17 @@ struct TilePlace {
 void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs);
 
 /// Gives the planes that are asked for their size. Allocates only where the film grows.
-void resize(Film& film, int width, int height, bool color, std::span<const Aov> aovs);
+/// lights  of the world: the channels of the plane `lit`
+void resize(
+    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights);
 
 /// Empties the planes that are not asked for.
 void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
 
 /// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples,
 /// summed in a fixed order. The other planes need samples = 1.
-void store_tile(
-    const TilePlace& place, const HitTile& hits, const ShadeTargets& shaded, Film& film);
+void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
+    const ShadeTargets& shaded, Film& film);
 
 /// Samples with an item.
 std::uint64_t count_hits(const HitTile& hits);

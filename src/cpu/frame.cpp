@@ -19,6 +19,7 @@ struct Pass {
     int samples = 1; // on a pixel's side
     bool color = true;
     std::span<const Aov> aovs;
+    bool shadows = false; // to be found for the colour
 };
 
 /// Samples on a tile's side: whole blocks and whole pixels.
@@ -60,7 +61,23 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
     return {first, second};
 }
 
-/// Items, hits and colours of one part of the picture, each tile while it is in cache.
+/// The tile's items and hits. Which triangle does each sample see, and where exactly?
+HitTile see_tile(FrameMemory& memory, std::size_t tile, std::size_t place, TileWorker& worker)
+{
+    Stopwatch lap;
+    raster_tile(memory.view, int(tile), worker.items);
+    worker.raster_ms += lap.lap_ms();
+    const HitTile hits = resolve_tile(memory.view, worker.items, memory.hits.of(place));
+    worker.resolve_ms += lap.lap_ms();
+    worker.counts.uncertain += worker.items.counts.uncertain;
+    worker.counts.ambiguous += worker.items.counts.ambiguous;
+    worker.counts.effort.exact_calls += worker.items.counts.effort.exact_calls;
+    worker.hit_count += count_hits(hits);
+    return hits;
+}
+
+/// Items, hits and colours of one part of the picture. Where shadows have to be found, all tiles'
+/// hits are kept for the lights; else each tile is finished while it is in cache.
 void render_part(const World& world, const View& view, const Region& part, const Pass& pass,
     int tile_size, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
@@ -73,45 +90,57 @@ void render_part(const World& world, const View& view, const Region& part, const
         return;
     }
 
-    tasks.for_each(std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
-        TileWorker& worker = *memory.workers[number];
+    const std::size_t tiles = std::size_t(memory.view.tiles());
+    resize(memory.hits, tile_size, pass.shadows ? tiles : std::size_t(tasks.threads()));
+    const auto finish = [&](const HitTile& hits, std::size_t tile, TileWorker& worker) {
         Stopwatch lap;
-        raster_tile(memory.view, int(tile), worker.items); // which triangle does each sample see?
-        worker.raster_ms += lap.lap_ms();
-        const HitTile hits = resolve_tile(memory.view, worker.items, worker.hits); // where exactly?
-        worker.resolve_ms += lap.lap_ms();
-        shade_tile(hits, world, worker.shade.targets); // what colour is it?
-        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits,
+        LitTile lit;
+        if (pass.shadows) lit = unpack_lit(memory.lit, tile, worker.lit);
+        shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
+        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits, lit,
             worker.shade.targets, film);
         worker.shade_ms += lap.lap_ms();
-        worker.counts.uncertain += worker.items.counts.uncertain;
-        worker.counts.ambiguous += worker.items.counts.ambiguous;
-        worker.counts.effort.exact_calls += worker.items.counts.effort.exact_calls;
-        worker.hit_count += count_hits(hits);
-    });
+    };
+    if (pass.shadows) {
+        memory.tiles.resize(tiles);
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
+            memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[worker]);
+        });
+        watch.lap_ms();
+        test_exact_shadows(world, view.camera.eye, memory.tiles, memory.shadows, tasks,
+            memory.lit); // which lights reach it?
+        memory.shadow_ms += watch.lap_ms();
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
+            finish(memory.tiles[tile], tile, *memory.workers[worker]);
+        });
+    } else {
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
+            TileWorker& own = *memory.workers[worker];
+            finish(see_tile(memory, tile, worker, own), tile, own);
+        });
+    }
     stats.in_view += memory.view.in_view_count;
     stats.tile_entries += memory.view.entry_count;
 }
 
 /// Prepares every worker's tile memory, and the planes of the film that the pass fills.
-void prepare(const Pass& pass, int tile_size, const View& view, FrameMemory& memory, Tasks& tasks,
-    Film& film)
+void prepare(const Pass& pass, int tile_size, const World& world, const View& view,
+    FrameMemory& memory, Tasks& tasks, Film& film)
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<TileWorker>());
     for (const auto& worker : memory.workers) {
         resize(worker->items, tile_size);
-        resize(worker->hits, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
     }
-    resize(film, view.region.width, view.region.height, pass.color, pass.aovs);
+    resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
 }
 
 void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
     FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     const int tile = tile_samples(tile_size, pass.samples);
-    prepare(pass, tile, view, memory, tasks, film);
+    prepare(pass, tile, world, view, memory, tasks, film);
     // Parts small enough for the boxes' and tiles' integers, in whole tiles.
     const int step = std::min(kMaxPencil, 255 * tile) / tile * tile / pass.samples;
     const Region& all = view.region;
@@ -155,7 +184,8 @@ void render_frame(const World& world, const View& view, const Settings& settings
     const std::span<const Aov> aovs = settings.aovs;
     if (settings.color || together)
         render_pass(world, view,
-            {settings.samples, settings.color, together ? aovs : std::span<const Aov>()},
+            {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
+                settings.color && settings.shadows == Shadows::exact && !world.lights.empty()},
             settings.tile_size, memory, tasks, film, stats);
     if (!together && !aovs.empty())
         render_pass(world, view, {1, false, aovs}, settings.tile_size, memory, tasks, film, stats);

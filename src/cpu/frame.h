@@ -4,6 +4,7 @@
 #include "base/tasks.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
+#include "shadow/exact_shadows.h"
 #include "visibility/item_tile.h"
 #include "visibility/view_memory.h"
 
@@ -23,8 +24,8 @@ struct ShadeMemory {
 /// What one worker needs to make a tile.
 struct TileWorker {
     ItemTile items{};
-    HitMemory hits;
     ShadeMemory shade;
+    Buffer<float> lit; // (lights, samples) of a tile
     double raster_ms = 0, resolve_ms = 0, shade_ms = 0;
     TileCounts counts;
     std::uint64_t hit_count = 0;
@@ -33,6 +34,11 @@ struct TileWorker {
 /// Everything a frame needs, allocated once and reused.
 struct FrameMemory {
     ViewMemory view;
+    HitMemory hits;             // of all tiles where lights wait for them, else one a worker
+    std::vector<HitTile> tiles; // of all tiles
+    ShadowMemory shadows;
+    LitBits lit;
+    double shadow_ms = 0;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };
 

@@ -71,7 +71,7 @@ LightSpace light_space(const Light& light, const glm::dvec3& eye)
     LightSpace space;
     space.directional = light.kind == Light::Kind::directional;
     if (!space.directional) {
-        space.origin = light.position;
+        space.origin = glm::vec3(light.position);
         space.reach = float(largest(light.position) + largest(eye));
         return space;
     }

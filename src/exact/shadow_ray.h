@@ -35,8 +35,8 @@ inline constexpr float kShadowMargin = 0x1p-21f;
 /// A light's frame.
 struct LightSpace {
     bool directional = false;
-    glm::dvec3 origin{0}; // point, spot: where the light is
-    glm::dmat3 axes{1};   // directional: rows: across, across, the way the light goes; orthonormal
+    glm::vec3 origin{0}; // point, spot: where the light is
+    glm::dmat3 axes{1};  // directional: rows: across, across, the way the light goes; orthonormal
     float reach = 0; // what else was rounded on the way: the largest coordinates of light and eye
 };
 
@@ -46,11 +46,10 @@ LightSpace light_space(const Light& light, const glm::dvec3& eye);
 /// A point or vertex as the light sees it, rounded once.
 inline glm::vec3 to_light(const LightSpace& space, const glm::vec3& p)
 {
-    const double x = double(p.x) - space.origin.x, y = double(p.y) - space.origin.y,
-                 z = double(p.z) - space.origin.z;
-    if (!space.directional) return {float(x), float(y), float(z)};
+    if (!space.directional) return p - space.origin;
     const auto row = [&](int r) {
-        return float((space.axes[0][r] * x + space.axes[1][r] * y) + space.axes[2][r] * z);
+        return float((space.axes[0][r] * double(p.x) + space.axes[1][r] * double(p.y)) +
+                     space.axes[2][r] * double(p.z));
     };
     return {row(0), row(1), row(2)};
 }

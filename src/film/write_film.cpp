@@ -41,7 +41,7 @@ std::string aov_ending(const std::string& path)
         "{}: unknown ending '{}' for a plane: accepted are .exr and .npy", path, ending));
 }
 
-std::vector<std::string> channel_names(Aov aov)
+std::vector<std::string> channel_names(Aov aov, int channels)
 {
     switch (aov) {
     case Aov::item:
@@ -62,8 +62,12 @@ std::vector<std::string> channel_names(Aov aov)
         return {"albedo.R", "albedo.G", "albedo.B"};
     case Aov::barycentric:
         return {"barycentric.U", "barycentric.V"};
+    case Aov::lit:
+        break;
     }
-    return {};
+    std::vector<std::string> names;
+    for (int light = 0; light < channels; ++light) names.push_back(fmt::format("lit.{}", light));
+    return names;
 }
 
 /// throws  ArgumentError where the plane is not (height, width, channels)
@@ -109,14 +113,21 @@ void write_color(const Film& film, const std::string& path)
 void write_aov(const Film& film, Aov aov, const std::string& path)
 {
     const std::string ending = aov_ending(path);
-    PlaneView plane{.width = film.width, .height = film.height, .channels = aov_channels(aov)};
+    const bool lit = aov == Aov::lit;
+    PlaneView plane{.width = film.width,
+        .height = film.height,
+        .channels = lit ? film[aov].channels : aov_channels(aov)};
     if (aov == Aov::item)
         plane.item = film.item;
     else
         plane.value = film[aov].value;
+    if (lit && !plane.value.empty() && (plane.channels < 1 || plane.channels > int(kMaxLitLights)))
+        throw ArgumentError(
+            fmt::format("the film's plane 'lit' has {} lights: accepted are 1 to {}",
+                plane.channels, kMaxLitLights));
     check_shape(film, plane, aov_name(aov));
     if (ending == ".exr")
-        write_exr(plane, channel_names(aov), path);
+        write_exr(plane, channel_names(aov, plane.channels), path);
     else
         write_npy(plane, path);
 }

@@ -15,7 +15,8 @@ namespace firsthit {
 /// in exactly one run.
 struct HitRun {
     std::uint32_t item = 0;
-    std::uint32_t block = 0;   // number of the block in its tile; its samples start at 64 * block
+    std::uint16_t block = 0;   // number of the block in its tile; its samples start at 64 * block
+    std::int16_t eye_side = 0; // 1 or -1: volume_sign (exact/hit.h) of the item in eye space
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
 };
 

@@ -33,6 +33,14 @@ struct RunBatch {
     alignas(64) double edge1[3][kRuns]; // u = edge1 . d / det
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns]; // t = volume / det
+    alignas(64) double volume_size[kRuns];
+
+    Corners corners(std::size_t i) const
+    {
+        return {glm::vec3(corner[0][i], corner[1][i], corner[2][i]),
+            glm::vec3(corner[3][i], corner[4][i], corner[5][i]),
+            glm::vec3(corner[6][i], corner[7][i], corner[8][i])};
+    }
 };
 
 /// Samples of a block whose item is `id`, a bit each.
@@ -51,27 +59,27 @@ HWY_INLINE std::uint64_t samples_with(const std::uint32_t* items, std::uint32_t 
     return samples;
 }
 
-void fill_misses(int block, HitMemory& memory)
+void fill_misses(int block, const HitPlaces& places)
 {
     const int first = block * kBlockSamples;
-    std::fill_n(memory.t.data() + first, kBlockSamples, std::numeric_limits<float>::infinity());
-    std::fill_n(memory.u.data() + first, kBlockSamples, 0.0f);
-    std::fill_n(memory.v.data() + first, kBlockSamples, 0.0f);
+    std::fill_n(places.t + first, kBlockSamples, std::numeric_limits<float>::infinity());
+    std::fill_n(places.u + first, kBlockSamples, 0.0f);
+    std::fill_n(places.v + first, kBlockSamples, 0.0f);
 }
 
 /// Finds the runs of all blocks, and marks the samples that are in none. Returns how many.
-std::size_t find_runs(const ItemTile& items, HitMemory& memory)
+std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
 {
-    HitRun* runs = memory.run.data();
+    HitRun* runs = places.run;
     HitRun* next = runs;
     for (int block = 0; block < items.blocks(); ++block) {
         const std::uint32_t* item = items.item.data() + block * kBlockSamples;
         std::uint64_t rest = ~samples_with(item, kNoItem);
-        if (~rest) fill_misses(block, memory);
+        if (~rest) fill_misses(block, places);
         while (rest) {
             const std::uint32_t id = item[std::countr_zero(rest)];
             const std::uint64_t samples = samples_with(item, id);
-            *next++ = {id, std::uint32_t(block), samples};
+            *next++ = {id, std::uint16_t(block), 0, samples};
             rest &= ~samples;
         }
     }
@@ -108,26 +116,27 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
         store(p.edge[1], batch.edge1);
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
+        hn::Store(p.volume_size, d, batch.volume_size + i);
     }
 }
 
 /// Samples whose double depth lies outside the triangle's: its determinant lost too many digits.
 HWY_NOINLINE void repair_hits(const Corners& corners, const ItemTile& items, int offset,
-    std::uint64_t samples, const float* x, const float* y, HitMemory& memory)
+    std::uint64_t samples, const float* x, const float* y, const HitPlaces& places)
 {
     for (; samples; samples &= samples - 1) {
         const int lane = std::countr_zero(samples);
         const glm::vec3 d{items.x0 + x[lane], items.y0 + y[lane], 1.0f};
         const auto [u, v] = exact_barycentrics(corners, d);
         const auto at = std::size_t(offset + lane);
-        memory.t[at] = float(1 / exact_inverse_depth(corners, d));
-        memory.u[at] = float(std::clamp(u, 0.0, 1.0));
-        memory.v[at] = float(std::clamp(v, 0.0, 1.0));
+        places.t[at] = float(1 / exact_inverse_depth(corners, d));
+        places.u[at] = float(std::clamp(u, 0.0, 1.0));
+        places.v[at] = float(std::clamp(v, 0.0, 1.0));
     }
 }
 
 void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const ItemTile& items,
-    const float* sample_x, const float* sample_y, HitMemory& memory)
+    const float* sample_x, const float* sample_y, const HitPlaces& places)
 {
     const Doubles d;
     const Floats f;
@@ -160,14 +169,14 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
         const auto u = hn::DemoteTo(f, hn::Mul(plane(batch.edge1, x, y), inverse));
         const auto v = hn::DemoteTo(f, hn::Mul(plane(batch.edge2, x, y), inverse));
         const int offset = int(run.block) * kBlockSamples + k;
-        const auto keep = [&](auto value, Buffer<float>& to) {
-            float* at = to.data() + offset;
+        const auto keep = [&](auto value, float* to) {
+            float* at = to + offset;
             hn::Store(hn::IfThenElse(mask, value, hn::Load(f, at)), f, at);
         };
         const auto weight = [&](auto w) { return hn::Min(hn::Max(w, zero), one); };
-        keep(t, memory.t);
-        keep(weight(u), memory.u);
-        keep(weight(v), memory.v);
+        keep(t, places.t);
+        keep(weight(u), places.u);
+        keep(weight(v), places.v);
         const auto plausible = hn::And(hn::Ge(t, nearest), hn::Le(t, farthest));
         if (!hn::AllTrue(f, hn::Or(plausible, hn::Not(mask)))) [[unlikely]] {
             std::memset(bytes, 0, 8);
@@ -179,30 +188,41 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
                 x_in_tile[lane] = float(block_x) + sample_x[k + lane];
                 y_in_tile[lane] = float(block_y) + sample_y[k + lane];
             }
-            const Corners corners{
-                glm::vec3(batch.corner[0][i], batch.corner[1][i], batch.corner[2][i]),
-                glm::vec3(batch.corner[3][i], batch.corner[4][i], batch.corner[5][i]),
-                glm::vec3(batch.corner[6][i], batch.corner[7][i], batch.corner[8][i])};
-            repair_hits(corners, items, offset, suspect, x_in_tile, y_in_tile, memory);
+            repair_hits(batch.corners(i), items, offset, suspect, x_in_tile, y_in_tile, places);
         }
     }
 }
 
-std::size_t resolve(const ViewMemory& view, const ItemTile& items, HitMemory& memory)
+/// On which side of its plane each run's triangle has the eye.
+void find_sides(const RunBatch& batch, std::span<HitRun> runs)
+{
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double volume = batch.volume[i];
+        int side = volume > 0 ? 1 : -1;
+        if (std::abs(volume) <= 8 * kUlp * batch.volume_size[i]) [[unlikely]] {
+            Effort effort;
+            side = volume_sign(batch.corners(i), effort);
+        }
+        runs[i].eye_side = std::int16_t(side);
+    }
+}
+
+std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
 {
     alignas(64) float sample_x[kBlockSamples], sample_y[kBlockSamples];
     for (int k = 0; k < kBlockSamples; ++k) {
         sample_x[k] = float(block_x(k));
         sample_y[k] = float(block_y(k));
     }
-    const std::size_t count = find_runs(items, memory);
+    const std::size_t count = find_runs(items, places);
     RunBatch batch{};
     for (std::size_t first = 0; first < count; first += kRuns) {
-        const auto runs =
-            memory.run.span().subspan(first, std::min<std::size_t>(kRuns, count - first));
+        const std::span<HitRun> runs(
+            places.run + first, std::min<std::size_t>(kRuns, count - first));
         set_up_runs(view, runs, batch);
+        find_sides(batch, runs);
         for (std::size_t i = 0; i < runs.size(); ++i)
-            resolve_run(batch, i, runs[i], items, sample_x, sample_y, memory);
+            resolve_run(batch, i, runs[i], items, sample_x, sample_y, places);
     }
     return count;
 }
@@ -217,16 +237,18 @@ namespace firsthit {
 
 HWY_EXPORT(resolve);
 
-void resize(HitMemory& memory, int tile_size)
+void resize(HitMemory& memory, int tile_size, std::size_t tiles)
 {
-    const std::size_t samples = std::size_t(tile_size) * std::size_t(tile_size);
-    memory.run.resize(samples);
-    for (Buffer<float>* plane : {&memory.t, &memory.u, &memory.v}) plane->resize(samples);
+    memory.samples = std::size_t(tile_size) * std::size_t(tile_size);
+    memory.run.resize(tiles * memory.samples);
+    memory.item.resize(tiles * memory.samples);
+    for (Buffer<float>* plane : {&memory.t, &memory.u, &memory.v})
+        plane->resize(tiles * memory.samples);
 }
 
-HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, HitMemory& memory)
+HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
 {
-    const std::size_t runs = HWY_DYNAMIC_DISPATCH(resolve)(view, items, memory);
+    const std::size_t runs = HWY_DYNAMIC_DISPATCH(resolve)(view, items, places);
     HitTile hits;
     hits.size = items.size;
     hits.frame.x0 = items.x0;
@@ -234,11 +256,12 @@ HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, HitMemory& m
     hits.frame.inv_f = float(1 / view.pencil.f);
     hits.frame.eye = glm::vec3(view.pencil.eye);
     hits.frame.world_from_eye = glm::mat3(view.pencil.world_from_axes);
-    hits.runs = std::span<const HitRun>(memory.run.data(), runs);
-    hits.item = items.item.data();
-    hits.t = memory.t.data();
-    hits.u = memory.u.data();
-    hits.v = memory.v.data();
+    hits.runs = std::span<const HitRun>(places.run, runs);
+    std::copy_n(items.item.data(), std::size_t(items.size) * std::size_t(items.size), places.item);
+    hits.item = places.item;
+    hits.t = places.t;
+    hits.u = places.u;
+    hits.v = places.v;
     return hits;
 }
 

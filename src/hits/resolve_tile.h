@@ -8,20 +8,38 @@
 
 namespace firsthit {
 
-/// One worker's memory for resolve_tile.
-struct HitMemory {
-    Buffer<HitRun> run;
-    Buffer<float> t, u, v;
+/// Where the hits of one tile go: room for size * size of each, aligned to 64 bytes.
+struct HitPlaces {
+    HitRun* run = nullptr;
+    std::uint32_t* item = nullptr;
+    float* t = nullptr;
+    float* u = nullptr;
+    float* v = nullptr;
 };
 
-/// Prepares the memory; allocates where the tile is larger than before.
-void resize(HitMemory& memory, int tile_size);
+/// Room for the hits of some tiles.
+struct HitMemory {
+    Buffer<HitRun> run; // (tiles, samples); a tile fills the start of its part
+    Buffer<std::uint32_t> item;
+    Buffer<float> t, u, v;   // (tiles, samples)
+    std::size_t samples = 0; // of a tile
+
+    HitPlaces of(std::size_t tile)
+    {
+        const std::size_t first = tile * samples;
+        return {run.data() + first, item.data() + first, t.data() + first, u.data() + first,
+            v.data() + first};
+    }
+};
+
+/// Prepares the memory; allocates where there are more or larger tiles than before.
+void resize(HitMemory& memory, int tile_size, std::size_t tiles);
 
 /// Shoots one ray per sample at the triangle that the item buffer names. t, u and v come from one
 /// division in double, rounded once: t is within one unit in the last place of the exact depth.
-/// The result points into `items` and `memory`.
+/// The result points into `places`.
 ///
 /// source  Robert and Schoepke 2006, section 4.1 (one lookup, one intersection test)
-HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, HitMemory& memory);
+HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPlaces& places);
 
 } // namespace firsthit

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace firsthit {
 
 namespace {
@@ -14,6 +17,25 @@ namespace {
 constexpr int kMaxSize = 65536;
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28;
 constexpr int kMaxSamples = 16;
+constexpr int kMinMap = 16, kMaxMap = 16384;
+constexpr int kMaxFilter = 15;
+
+void check_shadows(const Settings& settings)
+{
+    const int size = settings.shadow_map_size;
+    if (size != 0 && (size < kMinMap || size > kMaxMap))
+        throw ArgumentError(
+            fmt::format("shadow map size {} is out of range: {} to {}, or 0: by the picture", size,
+                kMinMap, kMaxMap));
+    if (!std::isfinite(settings.shadow_bias))
+        throw ArgumentError(
+            fmt::format("shadow bias {} is not finite: accepted are world units, or "
+                        "any negative number: by the map's texels",
+                settings.shadow_bias));
+    if (settings.shadow_filter < 1 || settings.shadow_filter > kMaxFilter)
+        throw ArgumentError(fmt::format(
+            "shadow filter {} is out of range: 1 to {}", settings.shadow_filter, kMaxFilter));
+}
 
 } // namespace
 
@@ -39,7 +61,7 @@ View checked(const View& view)
     return filled;
 }
 
-void check(const Settings& settings)
+void check(const Settings& settings, std::size_t lights)
 {
     if (settings.samples < 1 || settings.samples > kMaxSamples)
         throw ArgumentError(
@@ -47,6 +69,15 @@ void check(const Settings& settings)
     if (settings.tile_size < 8 || settings.tile_size > 128 || settings.tile_size % 8 != 0)
         throw ArgumentError(fmt::format(
             "tile size {} is not accepted: a multiple of 8 from 8 to 128", settings.tile_size));
+    check_shadows(settings);
+    if (std::find(settings.aovs.begin(), settings.aovs.end(), Aov::lit) == settings.aovs.end())
+        return;
+    if (lights == 0)
+        throw ArgumentError("the plane 'lit' has a channel for each light, and there is no light");
+    if (lights > kMaxLitLights)
+        throw ArgumentError(fmt::format("the plane 'lit' has a channel for each light, and {} are "
+                                        "too many: at most {}",
+            lights, kMaxLitLights));
 }
 
 } // namespace firsthit

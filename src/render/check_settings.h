@@ -3,11 +3,18 @@
 
 #include <firsthit/render.h>
 
+#include <cstddef>
+
 namespace firsthit {
 
+/// The shadow settings are checked whatever the kind of shadows, and that the plane `lit` of the
+/// lights can be made.
+/// throws  ArgumentError: a sample count, tile size or shadow setting out of range; no light, or too
+///         many, for `lit`
+void check(const Settings& settings, std::size_t lights);
+
 /// Returns the view with its region filled in.
-/// throws  ArgumentError: a size, region, sample count, tile size or camera out of range
+/// throws  ArgumentError: a size, region or camera out of range
 View checked(const View& view);
-void check(const Settings& settings);
 
 } // namespace firsthit

@@ -4,6 +4,7 @@
 #include "base/tasks.h"
 #include "cpu/frame.h"
 #include "render/check_settings.h"
+#include "scene/check_light.h"
 #include "scene/pose.h"
 
 #include <firsthit/error.h>
@@ -19,7 +20,8 @@ struct Renderer::Impl {
 
     void frame(const World& world, const View& view, const Settings& settings, Film& film)
     {
-        check(settings);
+        check(settings, world.lights.size());
+        check_lights(world);
         const View filled = checked(view);
         stats.vertices = world.position.size();
         stats.triangles = world.scene->triangle_count();

@@ -1,6 +1,8 @@
 // check_scene.cpp - does a scene keep its promises?
 #include "scene/check_scene.h"
 
+#include "scene/check_light.h"
+
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
@@ -148,9 +150,8 @@ void check_lights(const Scene& scene)
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
         const Light& light = scene.lights[l];
         check_number(scene, light.track, scene.tracks.size(), fmt::format("light {}: track", l));
-        for (int axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(light.position[axis]) || !std::isfinite(light.color[axis]))
-                fail(scene, fmt::format("light {} is not finite", l));
+        const std::string fault = fault_of(light);
+        if (!fault.empty()) fail(scene, fmt::format("light {}: {}", l, fault));
     }
 }
 

@@ -183,7 +183,7 @@ void pose(const Scene& scene, double time_s, World& world, Tasks& tasks)
 
     world.lights = scene.lights;
     for (Light& light : world.lights) {
-        if (light.track < 0) continue;
+        if (light.track < 0 || light.kind == Light::Kind::directional) continue;
         const Track& track = scene.tracks[static_cast<std::size_t>(light.track)];
         if (!track.translation.empty()) light.position = evaluate_vector(track.translation, time_s);
     }

@@ -6,8 +6,10 @@
 #define FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
 #endif
 
+#include "hits/spot_cone-inl.h"
 #include "shade/sample_texture-inl.h"
 #include "shade/phong_exponent.h"
+#include "shade/shade_light.h"
 #include "shade/shade_tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,6 +20,8 @@ namespace HWY_NAMESPACE {
 struct TileShade {
     const HitTile& hits;
     const World& world;
+    const ShadeLights& lights;
+    const LitTile& lit;
     const ShadeTargets& targets;
     const float* linear; // light of the 256 sRGB codes
 };
@@ -30,24 +34,57 @@ FIRSTHIT_PURE void store3_where(truth chosen, real3 a, float* const (&plane)[3],
     store_where(chosen, a.z, plane[2] + at);
 }
 
+/// The samples of one register.
+struct ShadedPoints {
+    std::size_t at;     // of the first sample, in the tile
+    std::uint64_t bits; // lanes that are asked for
+    real3 position;
+    real3 normal;
+    real3 to_eye;
+};
+
 /// Ambient light and that of all lights.
-HWY_INLINE real3 phong(const TileShade& tile, const Material& material, real3 position,
-    real3 normal, real3 to_eye, real3 texture)
+HWY_INLINE real3 phong(
+    const TileShade& tile, const Material& material, const ShadedPoints& points, real3 texture)
 {
     const Scene& scene = *tile.world.scene;
     const real3 diffuse = from_glm(material.diffuse) * texture;
     const real3 specular = from_glm(material.specular);
     const bool glossy = material.specular != glm::vec3(0);
     const PhongExponent exponent = phong_exponent(material.shininess);
+    const auto in_no_lane = [&](real share) {
+        return (bits_of_truth(share > real(0.0f)) & points.bits) == 0;
+    };
 
     real3 color = from_glm(material.ambient * scene.ambient) * texture;
-    for (const Light& light : tile.world.lights) {
-        const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
-        const real cosine = lit_cosine(normal, to_light);
-        const real glint =
-            !glossy ? real(0.0f)
-                    : highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
-        color = color + reflected(from_glm(light.color), diffuse, cosine, specular, glint);
+    for (std::size_t l = 0; l < tile.lights.size(); ++l) {
+        ShadeLight spare;
+        const ShadeLight& light = tile.lights.at(l, spare);
+
+        // How much of it arrives, and from where.
+        const float* lit = tile.lit.of_light(l);
+        real share = lit ? load(lit + points.at) : real(1.0f);
+        if (lit && in_no_lane(share)) continue;
+        real3 to_light = from_glm(light.to_light);
+        if (light.kind == Light::Kind::point) {
+            to_light = unit(from_glm(light.position) - points.position);
+        } else if (light.kind == Light::Kind::spot) {
+            const real3 d = points.position - from_glm(light.position);
+            share = share * spot_share(light.cone, d);
+            if (in_no_lane(share)) continue;
+            to_light = unit(real3(0.0f, 0.0f, 0.0f) - d);
+        }
+
+        const real cosine = lit_cosine(points.normal, to_light);
+        const real glint = !glossy ? real(0.0f)
+                                   : highlight(points.normal, points.to_eye, to_light, cosine,
+                                         exponent.whole, exponent.value);
+        const real3 added = reflected(from_glm(light.color), diffuse, cosine, specular, glint);
+        if (lit || light.kind == Light::Kind::spot)
+            // Lanes without light stay as they are where other lanes have some.
+            color = select3(share > real(0.0f), color + added * share, color);
+        else
+            color = color + added;
     }
     return color;
 }
@@ -96,7 +133,8 @@ HWY_INLINE void shade_samples(const TileShade& tile, std::uint32_t block, std::u
                 sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
         store3_where(chosen, from_glm(material.diffuse) * texture_color, targets.albedo, at);
         if (targets.color[0])
-            store3_where(chosen, phong(tile, material, position, normal, to_eye, texture_color),
+            store3_where(chosen,
+                phong(tile, material, {at, bits, position, normal, to_eye}, texture_color),
                 targets.color, at);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "base/srgb.h"
 #include "shade/run_setup.h"
+#include "shade/shade_light.h"
 
 #include <array>
 #include <bit>
@@ -49,9 +50,10 @@ class BlockMaterials {
     Group group_[kBlockSamples];
 };
 
-void shade(const HitTile& hits, const World& world, const ShadeTargets& targets)
+void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
-    const TileShade tile{hits, world, targets, linear_from_srgb().data()};
+    const ShadeLights lights(world.lights);
+    const TileShade tile{hits, world, lights, lit, targets, linear_from_srgb().data()};
     const ShadeArrays arrays = shade_arrays(world);
     fill_background(hits, world.scene->background, targets);
 
@@ -83,9 +85,10 @@ namespace firsthit {
 
 HWY_EXPORT(shade);
 
-void shade_tile(const HitTile& hits, const World& world, const ShadeTargets& targets)
+void shade_tile(
+    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
-    if (targets.any()) HWY_DYNAMIC_DISPATCH(shade)(hits, world, targets);
+    if (targets.any()) HWY_DYNAMIC_DISPATCH(shade)(hits, world, lit, targets);
 }
 
 } // namespace firsthit

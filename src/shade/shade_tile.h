@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hits/hit_tile.h"
+#include "hits/lit_tile.h"
 
 #include <firsthit/scene.h>
 
@@ -29,15 +30,18 @@ struct ShadeTargets {
 ///
 /// The ray of sample (x, y) at depth t gives the position (see hits/hit_position.h). Both normals
 /// look towards the eye, whatever the winding; the interpolated one is bent to the eye's horizon
-/// where it would look beyond. A light counts where it is in front of both. It does not fade with
-/// distance. A highlight's exponent below 0 counts as 0.
+/// where it would look beyond. A light counts where it is in front of the interpolated normal, as
+/// much as `lit` and a spot's cone let through. It does not fade with distance. A highlight's
+/// exponent below 0 counts as 0.
 ///
 /// hits     runs in any order of blocks; fastest where those of a block lie side by side
 /// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels, and a
 ///          level without its texels, with a side above 2^22 or 2^31 texels or more, is white
+///          sound lights (scene/check_light.h)
 /// limits   a light farther than 1e19 is not seen: the square of its distance is no float
 ///
 /// source  Phong 1975, "Illumination for Computer Generated Pictures"
-void shade_tile(const HitTile& hits, const World& world, const ShadeTargets& targets);
+void shade_tile(
+    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets);
 
 } // namespace firsthit

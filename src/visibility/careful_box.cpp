@@ -9,17 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace firsthit {
-namespace {
 
-struct Interval {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-/// The projections x/z of the triangle's part with z > 0, on one axis.
 Interval project_front(const Corners& corners, int axis)
 {
     Interval seen;
@@ -40,6 +32,8 @@ Interval project_front(const Corners& corners, int axis)
     }
     return seen;
 }
+
+namespace {
 
 /// First and last of `count` samples inside the interval, whose directions start at `origin`.
 /// False where there is none.

@@ -80,6 +80,11 @@ expect_files s.json
 expect 0 '' render builtin:torus -o a.png --size 16x16 --eye -.5,3,4 --at 0,0,0 --up 0,1,0 --fov 30
 expect 0 '' render builtin:torus -o b.png --size 16x16 --eye 0,5,0 --threads 2 --samples 3 --time 1
 expect_files a.png b.png
+expect 0 '' render builtin:torus -o a.png --aov lit=l.npy --aov lit=l.exr --size 8x4 --shadows none \
+    --light point:1,5,2 --light spot:0,4,0,0,-1,0,40,30 --light directional:-1,-2,-1
+grep -qa "'<f4'.*(4, 8, 3)" l.npy || fail "l.npy has another type or shape"
+grep -qa 'lit\.2' l.exr || fail "l.exr has no channel lit.2"
+expect_files a.png l.npy l.exr
 expect 0 '' render builtin:torus -o /dev/null --size 16x16
 [ -c /dev/null ] || fail "/dev/null is no device any more"
 
@@ -121,6 +126,14 @@ done
 for value in 1,2 1,2,3,4 a,b,c nan,0,0 '' 1,,2; do
     expect 2 '--eye' render builtin:torus -o a.png --eye "$value"
 done
+for value in lamp:1,2,3 point:1,2 spot:0,4,0,0,-1,0 spot:0,4,0,0,-1,0,180 directional:0,0,0 ''; do
+    expect 2 '--light.*accepted|--light.*no (finite|angle)' render builtin:torus -o a.png --light "$value"
+done
+expect 2 'accepted are none, map and exact' render builtin:torus -o a.png --shadows soft
+for value in 8 16385 big; do
+    expect 2 'no integer from 16 to 16384' render builtin:torus -o a.png --shadow-map-size "$value"
+done
+expect 2 'say --shadows map' render builtin:torus -o a.png --shadow-bias 0.1
 expect 2 'coincide' render builtin:torus -o a.png --eye 1,1,1 --at 1,1,1
 expect 2 'parallel' render builtin:torus -o a.png --eye 0,0,5 --at 0,0,0 --up 0,0,1
 expect 2 '--time' render builtin:torus -o a.png --time inf

@@ -127,8 +127,23 @@ TEST(RenderOptions, TheSceneIsNotWrittenOver)
 
 TEST(RenderOptions, AFilmTakesFourBytesAValue)
 {
-    EXPECT_EQ(film_bytes(parse("s -o a.png --aov normal=n.npy --size 10x10")), 2400u);
-    EXPECT_EQ(film_bytes(parse("s --stats --size 65536x65536")), 51539607552u);
+    EXPECT_EQ(film_bytes(parse("s -o a.png --aov normal=n.npy --size 10x10"), 1), 2400u);
+    EXPECT_EQ(film_bytes(parse("s --stats --size 65536x65536"), 1), 51539607552u);
+}
+
+TEST(RenderOptions, AFilmHasAValueForEachLight)
+{
+    EXPECT_EQ(film_bytes(parse("s --aov lit=l.npy --size 10x10"), 5), 2000u);
+    EXPECT_EQ(film_bytes(parse("s --aov lit=l.npy --size 10x10"), 1000), 25600u) << "at most 64";
+}
+
+TEST(RenderOptions, LightsAndShadowsArrive)
+{
+    const RenderOptions options =
+        parse("s -o a.png --light point:1,2,3 --shadows map --shadow-filter 3");
+    EXPECT_EQ(options.light.lights.size(), 1u);
+    EXPECT_EQ(render_settings(options).shadow_filter, 3);
+    EXPECT_THROW(check(parse("s -o a.png --shadow-filter 3")), UsageError);
 }
 
 TEST(RenderOptions, AFilmLargerThanTheMachineIsRefused)

@@ -1,5 +1,6 @@
 // reports_test.cpp - tables and JSON, and the line of the progress bar.
 #include "compare_command.h"
+#include "info_command.h"
 #include "progress.h"
 #include "stats_report.h"
 
@@ -27,7 +28,8 @@ TEST(StatsReport, TheTableHasAllStagesAndCounts)
 {
     const std::string table = stats_table(two_frames());
     for (const char* word : {"pose", "setup", "raster", "resolve", "shade", "write", "triangles",
-             "tile entries", "uncertain lanes", "exact calls", "peak memory"})
+             "tile entries", "uncertain lanes", "exact calls", "shadow", "shadow points",
+             "shadow triangles", "shadow pairs", "shadow uncertain", "map updates", "peak memory"})
         EXPECT_NE(table.find(word), std::string::npos) << word;
 }
 
@@ -46,6 +48,40 @@ TEST(StatsReport, TheJsonHasEveryFrame)
     EXPECT_EQ(json["frames"][1]["raster_ms"], 3.0);
     EXPECT_EQ(json["frames"][1]["exact_calls"], 7);
     EXPECT_EQ(json["width"], 64);
+}
+
+TEST(StatsReport, TheJsonHasTheCountsOfShadows)
+{
+    RunReport report = two_frames();
+    Stats& stats = report.frames[0].stats;
+    stats.shadow_ms = 2.5;
+    stats.shadow_points = 1;
+    stats.shadow_triangles = 2;
+    stats.shadow_pairs = 3;
+    stats.shadow_uncertain = 4;
+    stats.map_updates = 5;
+    const Json frame = stats_json(report)["frames"][0];
+    EXPECT_EQ(frame["shadow_ms"], 2.5);
+    EXPECT_EQ(frame["shadow_points"], 1);
+    EXPECT_EQ(frame["shadow_triangles"], 2);
+    EXPECT_EQ(frame["shadow_pairs"], 3);
+    EXPECT_EQ(frame["shadow_uncertain"], 4);
+    EXPECT_EQ(frame["map_updates"], 5);
+}
+
+TEST(InfoReport, CountsLightsByKind)
+{
+    Scene scene = load_scene("builtin:torus");
+    scene.lights.resize(4);
+    scene.lights[1].kind = Light::Kind::spot;
+    scene.lights[3].kind = Light::Kind::spot;
+    World world;
+    pose(scene, 0, world);
+    const Json info = describe(scene, world, "torus");
+    EXPECT_EQ(info["lights"], 4);
+    EXPECT_EQ(info["light_kinds"].dump(), R"({"point":2,"spot":2,"directional":0})");
+    EXPECT_NE(info_text(info).find("lights     4: 2 point, 2 spot\n"), std::string::npos)
+        << info_text(info);
 }
 
 TEST(StatsReport, ANameThatIsNoUtf8IsStillJson)

@@ -22,13 +22,14 @@ TEST(Film, PlanesHaveTheDocumentedChannels)
     EXPECT_EQ(aov_channels(Aov::item), 1);
     EXPECT_EQ(aov_channels(Aov::uv), 2);
     EXPECT_EQ(aov_channels(Aov::albedo), 3);
+    EXPECT_EQ(aov_channels(Aov::lit), 0) << "as many as there are lights";
 }
 
 TEST(Film, AnUnknownNameIsAnErrorThatListsTheNames)
 {
     EXPECT_EQ(message_of<ArgumentError>([] { aov_from_name("colour"); }),
         "unknown plane 'colour': accepted are item, depth, distance, uv, "
-        "normal, geometric_normal, position, albedo, barycentric");
+        "normal, geometric_normal, position, albedo, barycentric, lit");
 }
 
 } // namespace

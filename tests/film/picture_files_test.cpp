@@ -26,6 +26,8 @@
 namespace firsthit {
 namespace {
 
+constexpr int kNumberedLights = 12;
+
 /// A film with all planes, each value different.
 Film numbered_film(int width, int height)
 {
@@ -41,7 +43,8 @@ Film numbered_film(int width, int height)
     fill(film.color, 3, 0.0f);
     for (float& value : film.color.value) value /= static_cast<float>(3 * pixels);
     for (int a = 1; a < kAovCount; ++a)
-        fill(film.aov[static_cast<std::size_t>(a)], aov_channels(static_cast<Aov>(a)),
+        fill(film.aov[static_cast<std::size_t>(a)],
+            Aov(a) == Aov::lit ? kNumberedLights : aov_channels(static_cast<Aov>(a)),
             0.5f + 1000.0f * static_cast<float>(a));
     for (std::size_t k = 0; k < pixels; ++k) film.item.push_back(static_cast<std::uint32_t>(k));
     film.item[0] = kNoItem;
@@ -184,6 +187,8 @@ TEST(Exr, HasEveryPlaneUnderTheDocumentedChannelNames)
         {Aov::position, {"P.X", "P.Y", "P.Z"}},
         {Aov::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
         {Aov::barycentric, {"barycentric.U", "barycentric.V"}},
+        {Aov::lit, {"lit.0", "lit.1", "lit.2", "lit.3", "lit.4", "lit.5", "lit.6", "lit.7", "lit.8",
+                       "lit.9", "lit.10", "lit.11"}},
     };
     for (const auto& [aov, channels] : names) {
         write_aov(film, aov, folder / "a.exr");
@@ -223,6 +228,34 @@ TEST(Npy, HasMoreChannelsAsThreeDimensions)
     const ReadNpy read = read_npy(folder / "a.npy");
     EXPECT_NE(read.header.find("'shape': (3, 5, 2)"), std::string::npos);
     EXPECT_EQ(read.data, raw(film[Aov::uv].value));
+}
+
+TEST(Npy, HasLightAsTwoDimensionsWhereThereIsOneLight)
+{
+    const TemporaryFolder folder;
+    Film film = numbered_film(5, 3);
+    write_aov(film, Aov::lit, folder / "a.npy");
+    EXPECT_NE(read_npy(folder / "a.npy").header.find("'shape': (3, 5, 12)"), std::string::npos);
+    film[Aov::lit].channels = 1;
+    film[Aov::lit].value.resize(15);
+    write_aov(film, Aov::lit, folder / "a.npy");
+    const ReadNpy read = read_npy(folder / "a.npy");
+    EXPECT_NE(read.header.find("'shape': (3, 5), "), std::string::npos);
+    EXPECT_EQ(read.data, raw(film[Aov::lit].value));
+}
+
+TEST(PictureFiles, LightOfMoreThan64LightsIsAnError)
+{
+    Film film;
+    film.width = film.height = 1;
+    film[Aov::lit] = {65, std::vector<float>(65, 1.0f)};
+    EXPECT_EQ(message_of<ArgumentError>([&] { write_aov(film, Aov::lit, "a.npy"); }),
+        "the film's plane 'lit' has 65 lights: accepted are 1 to 64");
+    film[Aov::lit] = {0, {1.0f}};
+    EXPECT_THROW(write_aov(film, Aov::lit, "a.npy"), ArgumentError);
+    film[Aov::lit] = {2, {}};
+    EXPECT_EQ(message_of<ArgumentError>([&] { write_aov(film, Aov::lit, "a.npy"); }),
+        "the film has no plane 'lit'");
 }
 
 TEST(PictureFiles, AnUnknownEndingIsAnErrorThatListsTheAccepted)

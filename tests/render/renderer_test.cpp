@@ -1,4 +1,5 @@
 // renderer_test.cpp - pictures that must be equal, and settings that are refused.
+#include "message_of.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -171,6 +172,50 @@ TEST(Renderer, DrawsAnEmptyWorldAsBackground)
     }
 }
 
+TEST(Renderer, FillsThePlaneOfEveryLightWithOneWhereNothingCastsShadows)
+{
+    Picture picture;
+    picture.world.lights.resize(3);
+    Settings settings = everything();
+    settings.shadows = Shadows::none;
+    const Film film = picture.render(settings, 2);
+    const Plane& lit = film[Aov::lit];
+    ASSERT_EQ(lit.channels, 3);
+    ASSERT_EQ(lit.value.size(), film.item.size() * 3);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < film.item.size(); ++i) {
+        const float expected = film.item[i] == kNoItem ? 0.0f : 1.0f;
+        hits += film.item[i] != kNoItem;
+        for (std::size_t l = 0; l < 3; ++l) EXPECT_EQ(lit.value[3 * i + l], expected);
+    }
+    EXPECT_GT(hits, 1000u);
+    EXPECT_LT(hits, film.item.size());
+}
+
+TEST(Renderer, RefusesThePlaneOfLightsWithoutAnyOrWithTooMany)
+{
+    Picture picture;
+    Settings settings;
+    settings.aovs = {Aov::lit};
+    picture.world.lights.clear();
+    EXPECT_EQ(message_of<ArgumentError>([&] { picture.render(settings); }),
+        "the plane 'lit' has a channel for each light, and there is no light");
+    picture.world.lights.resize(65);
+    EXPECT_EQ(message_of<ArgumentError>([&] { picture.render(settings); }),
+        "the plane 'lit' has a channel for each light, and 65 are too many: at most 64");
+    settings.aovs = {};
+    EXPECT_NO_THROW(picture.render(settings));
+}
+
+TEST(Renderer, RefusesALightThatIsNone)
+{
+    Picture picture;
+    picture.world.lights[1].kind = Light::Kind::directional;
+    picture.world.lights[1].direction = {0, 0, 0};
+    const std::string message = message_of<SceneError>([&] { picture.render({}); });
+    EXPECT_NE(message.find("light 1: its direction (0, 0, 0)"), std::string::npos) << message;
+}
+
 template <class Change>
 void expect_refused(const char* part_of_message, const Change& change)
 {
@@ -204,6 +249,12 @@ TEST(Renderer, RefusesWhatCannotBeRendered)
     expect_refused("samples", [](View&, Settings& s) { s.samples = 0; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 17; });
     expect_refused("tile", [](View&, Settings& s) { s.tile_size = 12; });
+    for (const int size : {-1, 1, 15, 16385})
+        expect_refused("16 to 16384", [&](View&, Settings& s) { s.shadow_map_size = size; });
+    for (const int filter : {-1, 0, 16})
+        expect_refused("1 to 15", [&](View&, Settings& s) { s.shadow_filter = filter; });
+    expect_refused("bias", [](View&, Settings& s) { s.shadow_bias = NAN; });
+    expect_refused("bias", [](View&, Settings& s) { s.shadow_bias = INFINITY; });
     expect_refused("field of view", [](View& v, Settings&) { v.camera.fov_y_rad = 0; });
     expect_refused("field of view", [](View& v, Settings&) { v.camera.fov_y_rad = NAN; });
     expect_refused("too small", [](View& v, Settings&) { v.camera.fov_y_rad = 1e-300; });

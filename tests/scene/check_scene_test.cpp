@@ -1,4 +1,5 @@
 // check_scene_test.cpp - a scene that breaks a promise is refused, and the element is named.
+#include "scene/check_light.h"
 #include "scene/check_scene.h"
 
 #include "message_of.h"
@@ -101,6 +102,52 @@ TEST(CheckScene, RefusesParentsThatComeLaterAndNumbersOutOfRange)
         s.textures.push_back({"t", {{2, 2, {1, 2, 3}}}});
     }),
         "no error");
+}
+
+TEST(CheckScene, NamesALightAndWhatItAccepts)
+{
+    EXPECT_EQ(message_after([](Scene& s) {
+        s.lights.resize(3);
+        s.lights[2].kind = Light::Kind::directional;
+        s.lights[2].direction = {0, 0, 0};
+    }),
+        "arrays: light 2: its direction (0, 0, 0) is none: accepted is a length from 1e-100 to "
+        "1e+100");
+    EXPECT_EQ(message_after([](Scene& s) {
+        s.lights[0].kind = Light::Kind::spot;
+        s.lights[0].inner_rad = 0.5;
+        s.lights[0].outer_rad = 0.25;
+    }),
+        "arrays: light 0: its cone of half angles 0.5 and 0.25 rad is none: accepted are 0 <= "
+        "inner "
+        "<= outer, and outer above 0 and below pi / 2");
+    EXPECT_EQ(message_after([](Scene& s) {
+        s.lights[0].position.y = std::nan("");
+    }).rfind("arrays: light 0: its position", 0),
+        0u);
+}
+
+TEST(CheckLight, RefusesEveryValueOutOfRangeThatItsKindAsksFor)
+{
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    const auto spot = [](double inner, double outer) {
+        return fault_of({.kind = Light::Kind::spot, .inner_rad = inner, .outer_rad = outer});
+    };
+    EXPECT_EQ(spot(0, 1e-6), "");
+    EXPECT_EQ(spot(0.5, 0.5), "");
+    EXPECT_EQ(spot(0, 1.5707), "");
+    EXPECT_NE(spot(0, 0), "");
+    EXPECT_NE(spot(0, 1.5708), "");
+    EXPECT_NE(spot(-0.1, 1), "");
+    EXPECT_NE(spot(0, nan), "");
+    EXPECT_NE(spot(nan, 1), "");
+    EXPECT_NE(spot(0, inf), "");
+    for (const glm::dvec3& direction : {glm::dvec3(0), glm::dvec3(0, nan, 1), glm::dvec3(inf, 0, 0),
+             glm::dvec3(1e-300, 0, 0), glm::dvec3(0, 1e200, 0)}) {
+        EXPECT_NE(fault_of({.kind = Light::Kind::spot, .direction = direction}), "");
+        EXPECT_NE(fault_of({.kind = Light::Kind::directional, .direction = direction}), "");
+        EXPECT_EQ(fault_of({.kind = Light::Kind::point, .direction = direction}), "");
+    }
 }
 
 TEST(CheckScene, RefusesATrackKeyThatIsNotFinite)

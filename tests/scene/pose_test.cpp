@@ -183,6 +183,23 @@ TEST(Pose, MovesLightsByTheirTracks)
     EXPECT_EQ(world.lights[1].position, glm::dvec3(2, 2, 2));
 }
 
+TEST(Pose, MovesSpotsByTheirTracksAndTurnsNoLight)
+{
+    Scene scene = scene_of("la lamp 1 1 1 " + track_text("lamp", {0, 0, 0}, {4, 0, 0}));
+    for (const Light::Kind kind : {Light::Kind::spot, Light::Kind::directional}) {
+        Light light = scene.lights[0];
+        light.kind = kind;
+        light.position = {7, 8, 9};
+        light.direction = {1, 2, 3};
+        scene.lights.push_back(light);
+    }
+    const World world = posed(scene, 0.5);
+    EXPECT_EQ(world.lights[1].position, glm::dvec3(2, 0, 0));
+    EXPECT_EQ(world.lights[2].position, glm::dvec3(7, 8, 9));
+    for (const std::size_t light : {1u, 2u})
+        EXPECT_EQ(world.lights[light].direction, glm::dvec3(1, 2, 3));
+}
+
 TEST(Pose, MovesTheCameraByItsTrack)
 {
     const Scene scene =

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base/srgb.h"
+#include "exact/shadow_ray.h"
 #include "hits/hit_position.h"
+#include "hits/spot_cone.h"
 #include "shade/phong_exponent.h"
 #include "shade/run_setup.h"
 #include "shade/shade_tile.h"
@@ -45,8 +47,8 @@ inline real3 sample_texture(const Texture& texture, real u, real v, real length2
     return blend3(fine, coarse, level - finer);
 }
 
-inline void shade_sample(const HitTile& hits, const World& world, const ShadeTargets& targets,
-    const HitRun& run, int sample)
+inline void shade_sample(const HitTile& hits, const World& world, const LitTile& lit,
+    const ShadeTargets& targets, const HitRun& run, int sample)
 {
     const Scene& scene = *world.scene;
     const RunSetup setup = set_up_run(shade_arrays(world), run.item, hits.frame);
@@ -85,13 +87,27 @@ inline void shade_sample(const HitTile& hits, const World& world, const ShadeTar
     const real3 diffuse = from_glm(material.diffuse) * color_of_texture;
     real3 color = from_glm(material.ambient * scene.ambient) * color_of_texture;
     const PhongExponent exponent = phong_exponent(material.shininess);
-    for (const Light& light : world.lights) {
-        const real3 to_light = unit(from_glm(glm::vec3(light.position)) - position);
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const Light& light = world.lights[l];
+        real share = lit.lit ? lit.of_light(l)[at] : 1.0f;
+        real3 to_light(0, 0, 0);
+        if (light.kind == Light::Kind::point) {
+            to_light = unit(from_glm(glm::vec3(light.position)) - position);
+        } else if (light.kind == Light::Kind::directional) {
+            to_light = from_glm(glm::vec3(-glm::normalize(light.direction)));
+        } else {
+            const glm::vec3 d = firsthit::to_light(light_space(light, glm::dvec3(hits.frame.eye)),
+                {position.x, position.y, position.z});
+            share = share * spot_share(spot_cone(light), d);
+            to_light = unit(real3(0, 0, 0) - from_glm(d));
+        }
+        if (!(share > 0)) continue;
         const real cosine = lit_cosine(normal, to_light);
         const real glint =
             highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
         color = color + reflected(from_glm(light.color), diffuse, cosine,
-                            from_glm(material.specular), glint);
+                            from_glm(material.specular), glint) *
+                            share;
     }
     write(targets.position, position);
     write(targets.geometric_normal, geometric);
@@ -105,7 +121,8 @@ inline void shade_sample(const HitTile& hits, const World& world, const ShadeTar
 }
 } // namespace scalar
 
-inline void plain_shade(const HitTile& hits, const World& world, const ShadeTargets& targets)
+inline void plain_shade(
+    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
     const int samples = hits.size * hits.size;
     for (int at = 0; at < samples; ++at)
@@ -118,7 +135,8 @@ inline void plain_shade(const HitTile& hits, const World& world, const ShadeTarg
         }
     for (const HitRun& run : hits.runs)
         for (int sample = 0; sample < kBlockSamples; ++sample)
-            if (run.samples >> sample & 1) scalar::shade_sample(hits, world, targets, run, sample);
+            if (run.samples >> sample & 1)
+                scalar::shade_sample(hits, world, lit, targets, run, sample);
 }
 
 } // namespace firsthit

@@ -19,7 +19,7 @@ TEST(ShadeMemory, IsNotAllocated)
     tile.cast();
     ShadeMemory memory;
     const std::size_t before = allocations();
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     EXPECT_EQ(allocations(), before);
     EXPECT_GT(allocations(), 0u) << "nothing was counted";
 }

@@ -6,19 +6,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 
 namespace firsthit {
 namespace {
 
-void expect_same_bits(const TileScene& tile, const char* what)
+void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit = {})
 {
     ShadeMemory plain;
-    plain_shade(tile.hits, tile.world, plain.targets);
+    plain_shade(tile.hits, tile.world, lit, plain.targets);
     for_instruction_sets([&] {
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, memory.targets);
+        shade_tile(tile.hits, tile.world, lit, memory.targets);
         int different = 0;
         for (int plane = 0; plane < ShadeMemory::kPlanes; ++plane)
             for (int k = 0; k < tile.hits.size * tile.hits.size; ++k) {
@@ -78,6 +79,51 @@ TEST(ShadeSameBits, OfRandomTriangles)
         ASSERT_GT(tile.runs.size(), 50u);
         expect_same_bits(tile, "soup");
     }
+}
+
+TEST(ShadeSameBits, OfLightsOfEveryKindPartlyInShadow)
+{
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TileScene tile(32);
+        fill_with_soup(tile, random);
+        std::uniform_real_distribution<double> number(0, 1);
+        while (tile.world.lights.size() < 24) { // more than ShadeLights keeps
+            Light light{.kind = Light::Kind(tile.world.lights.size() % 3),
+                .position = glm::dvec3(random_point(random, 20)) / 3.0,
+                .direction = random_point(random, 1),
+                .color = random_point(random, 1)};
+            light.outer_rad = 1.5 * number(random);
+            light.inner_rad = seed % 2 ? light.outer_rad : light.outer_rad * number(random);
+            tile.world.lights.push_back(light);
+        }
+        tile.cast();
+        // Blocks in shadow, blocks without, mixed registers; negative zeros and colours as well.
+        alignas(64) static float lit[24 * 32 * 32];
+        for (std::size_t k = 0; k < std::size(lit); ++k) {
+            const std::size_t group = k / 16 * 2654435761u >> 7 & 3;
+            lit[k] = group == 0   ? 0.0f
+                     : group == 1 ? 1.0f
+                                  : std::max(0.0f, random_point(random, 1).x);
+        }
+        expect_same_bits(tile, "no shadows");
+        expect_same_bits(tile, "shadows", {lit, 32 * 32});
+    }
+}
+
+TEST(ShadeSameBits, OfLightThatIsTooMuchForFloat)
+{
+    // Where no light arrives nothing is added, not even 0 times infinity.
+    TileScene tile(16);
+    tile.material().diffuse = glm::vec3(1e30f);
+    tile.material().ambient = glm::vec3(-0.0f);
+    tile.add_wall();
+    tile.add_light({0, 0, 0}, glm::vec3(1e30f));
+    tile.cast();
+    alignas(64) float lit[16 * 16];
+    for (int k = 0; k < 16 * 16; ++k) lit[k] = k < 128 ? 0.0f : k % 5 == 0 ? 1.0f : 0.0f;
+    expect_same_bits(tile, "too much", {lit, 16 * 16});
 }
 
 TEST(ShadeSameBits, OfTexturesAtTheEdgesOfFloat)

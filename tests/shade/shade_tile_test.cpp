@@ -19,7 +19,7 @@ struct Ahead : TileScene {
     glm::vec3 color()
     {
         cast();
-        shade_tile(hits, world, memory.targets);
+        shade_tile(hits, world, {}, memory.targets);
         return at(memory.targets.color, 0, 0, hits.size);
     }
 };
@@ -194,7 +194,7 @@ TEST(ShadeTile, PositionsAreWhereTheRaysMeetTheTriangle)
     tile.add_square({-97, -102, -5}, {200, 0, 0}, {0, 200, 0});
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     for (int y = 0; y < 32; y += 5)
         for (int x = 0; x < 32; x += 3) {
             const glm::dvec3 p = glm::dvec3(tile.hits.frame.eye) + tile.direction(x, y) * 10.0;
@@ -209,7 +209,7 @@ TEST(ShadeTile, SamplesWithoutAnItemAreBackgroundAndZero)
     tile.add_light({0, 0, 0});
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     int missed = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
@@ -242,7 +242,7 @@ TEST(ShadeTile, EachRunWritesItsOwnSamplesAndNoOther)
     }
     tile.point_at_arrays();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     for (int sample = 0; sample < 64; ++sample)
         EXPECT_EQ(memory.targets.color[0][sample], static_cast<float>(sample));
 }
@@ -255,9 +255,9 @@ TEST(ShadeTile, RunsMayComeInAnyOrderOfBlocks)
     tile.add_light({5, 5, 0});
     tile.cast();
     ShadeMemory in_order, reversed;
-    shade_tile(tile.hits, tile.world, in_order.targets);
+    shade_tile(tile.hits, tile.world, {}, in_order.targets);
     std::reverse(tile.runs.begin(), tile.runs.end());
-    shade_tile(tile.hits, tile.world, reversed.targets);
+    shade_tile(tile.hits, tile.world, {}, reversed.targets);
     for (int k = 0; k < 32 * 32; ++k)
         EXPECT_EQ(in_order.targets.color[0][k], reversed.targets.color[0][k]);
 }
@@ -271,12 +271,12 @@ TEST(ShadeTile, WritesNothingWhereNothingIsAsked)
     const ShadeTargets all = memory.targets;
     ShadeTargets only_position;
     for (int axis = 0; axis < 3; ++axis) only_position.position[axis] = all.position[axis];
-    shade_tile(tile.hits, tile.world, only_position);
+    shade_tile(tile.hits, tile.world, {}, only_position);
     EXPECT_EQ(all.position[2][0], -10);
     EXPECT_EQ(all.color[0][0], -7);
     EXPECT_EQ(all.normal[0][0], -7);
     EXPECT_EQ(all.uv[0][0], -7);
-    shade_tile(tile.hits, tile.world, {});
+    shade_tile(tile.hits, tile.world, {}, {});
 }
 
 } // namespace

@@ -76,7 +76,7 @@ glm::dvec2 expect_reference(TileScene& tile, double tolerance)
     tile.material().diffuse = glm::vec3(1);
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     glm::dvec2 range(1e9, -1e9);
     for (int y = 0; y < tile.hits.size; ++y)
         for (int x = 0; x < tile.hits.size; ++x) {
@@ -132,7 +132,7 @@ TEST(TextureSampling, IsTheLastLevelWhereReducedFurther)
     tile.material().diffuse = glm::vec3(1);
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     const glm::vec3 last(texel(tile.scene.textures[0].levels[2], 0, 0));
     for (int k = 0; k < 64; ++k) EXPECT_NEAR(memory.targets.albedo[0][k], last.x, 1e-6);
 }
@@ -148,7 +148,7 @@ TEST(TextureSampling, RepeatsOutsideZeroToOne)
         for (glm::vec2& uv : tile.scene.uv) uv += glm::vec2(shift[i], -shift[i]);
         expect_reference(tile, 1e-5);
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, memory.targets);
+        shade_tile(tile.hits, tile.world, {}, memory.targets);
         seen[i] = at(memory.targets.albedo, 2, 3, 8);
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -169,7 +169,7 @@ TEST(TextureSampling, HasItsBottomRowAtVZero)
     tile.add_wall(10, 6);
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     EXPECT_GT(at(memory.targets.albedo, 8, 4, 16).x, 0.8f) << "red above";
     EXPECT_GT(at(memory.targets.albedo, 8, 11, 16).y, 0.8f) << "green below";
 }
@@ -189,7 +189,7 @@ TEST(TextureSampling, MultipliesAmbientAndDiffuseButNotSpecular)
     tile.add_light({0, 0, 0});
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     EXPECT_EQ(at(memory.targets.color, 0, 0, 8), glm::vec3(0.875f, 0.5f, 0.875f));
     EXPECT_EQ(at(memory.targets.albedo, 0, 0, 8), glm::vec3(0.25f, 0, 0.25f));
 }
@@ -208,7 +208,7 @@ TEST(TextureSampling, ThatIsEmptyMissingOrShortIsWhite)
         tile.add_wall();
         tile.cast();
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, memory.targets);
+        shade_tile(tile.hits, tile.world, {}, memory.targets);
         EXPECT_EQ(at(memory.targets.albedo, 3, 3, 8), glm::vec3(1));
     }
 }
@@ -222,7 +222,7 @@ TEST(TextureSampling, IsIgnoredWhereTheSceneHasNoCoordinates)
     tile.scene.uv.clear();
     tile.cast();
     ShadeMemory memory;
-    shade_tile(tile.hits, tile.world, memory.targets);
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
     EXPECT_EQ(at(memory.targets.albedo, 3, 3, 8), tile.material().diffuse);
     EXPECT_EQ(memory.targets.uv[0][0], 0);
 }
@@ -239,7 +239,7 @@ TEST(TextureSampling, CoordinatesThatAreHugeOrNoNumberDoNotCrash)
         for (std::size_t k = 0; k < tile.scene.uv.size(); k += 2) tile.scene.uv[k].x = bad;
         tile.cast();
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, memory.targets);
+        shade_tile(tile.hits, tile.world, {}, memory.targets);
         for (int k = 0; k < 16 * 16; ++k) {
             EXPECT_GE(memory.targets.albedo[0][k], 0);
             EXPECT_LE(memory.targets.albedo[0][k], 1);

@@ -41,9 +41,9 @@ struct HitPicture {
             tiles.push_back(std::make_unique<Tile>());
             Tile& tile = *tiles.back();
             resize(tile.items, tile_size);
-            resize(tile.memory, tile_size);
+            resize(tile.memory, tile_size, 1);
             raster_tile(view, k, tile.items);
-            tile.hits = resolve_tile(view, tile.items, tile.memory);
+            tile.hits = resolve_tile(view, tile.items, tile.memory.of(0));
         }
     }
 

@@ -1,0 +1,154 @@
+// exact_shadows.cpp - which lights reach what the eye sees.
+#include "shadow/exact_shadows.h"
+
+#include "base/stopwatch.h"
+#include "hits/hit_position.h"
+#include "shadow/collect_hits.h"
+#include "shadow/find_facing.h"
+
+#include <bit>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace firsthit {
+namespace {
+
+/// The points behind the ids: number of a sample in all tiles.
+class HitPoints : public LightPoints {
+  public:
+    HitPoints(std::span<const HitTile> tiles, const LightSpace& space)
+        : tiles_(tiles),
+          space_(space)
+    {
+    }
+
+    glm::vec3 in_light_space(std::uint32_t id) const override
+    {
+        const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
+        const HitTile& tile = tiles_[id / samples];
+        const std::uint32_t at = id % samples, block = at / kBlockSamples;
+        const std::uint32_t blocks_x = size / kBlock;
+        const int k = int(at % kBlockSamples);
+        const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
+                    y = float(block / blocks_x * kBlock) + float(block_y(k));
+        return to_light(space_, hit_position(tile.frame, x, y, tile.t[at]));
+    }
+
+  private:
+    std::span<const HitTile> tiles_;
+    const LightSpace& space_;
+};
+
+/// Takes the samples that are shadowed out of the words.
+void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint64_t* words)
+{
+    for (std::size_t block = 0; block < blocks; ++block) {
+        if (words[block] == 0) continue;
+        const std::uint8_t* bytes = shadowed + block * kBlockSamples;
+        for (int k = 0; k < kBlockSamples; k += 8) {
+            std::uint64_t eight;
+            std::memcpy(&eight, bytes + k, 8); // each byte 0 or 1: gather their bits
+            words[block] &= ~((eight * 0x0102040810204080u >> 56) << k);
+        }
+    }
+}
+
+} // namespace
+
+LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
+{
+    const std::size_t samples = bits.blocks * kBlockSamples;
+    memory.resize(bits.lights * samples);
+    for (std::size_t l = 0; l < bits.lights; ++l)
+        unpack_bits(bits.words.span().subspan(bits.place(l, tile), bits.blocks),
+            memory.data() + l * samples);
+    return {memory.data(), samples};
+}
+
+void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads)
+{
+    memory.samples.resize(chunks * chunk_room(points_a_chunk));
+    if (memory.parts.size() < chunks) memory.parts.resize(chunks);
+    memory.patches.resize(chunks);
+    memory.shadowed.resize(chunks * points_a_chunk);
+    while (int(memory.workers.size()) < threads)
+        memory.workers.push_back(std::make_unique<LightChunk>());
+    for (const auto& worker : memory.workers) worker->reserve(points_a_chunk);
+}
+
+ShadowEffort take_effort(ShadowMemory& memory)
+{
+    for (const auto& worker : memory.irregular.workers) {
+        memory.effort.counts.add(worker->leaf.counts);
+        worker->leaf.counts = {};
+    }
+    return std::exchange(memory.effort, {});
+}
+
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
+{
+    const std::size_t chunks = memory.patches.size();
+    ShadowEffort& effort = memory.effort;
+    for (std::size_t face = 0; face < kLightFaces; ++face) {
+        SampleBounds bounds;
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < chunks; ++k) {
+            const SamplePatch& patch = memory.patches[k] = memory.parts[k][face];
+            if (patch.range.count == 0) continue;
+            bounds.add(patch.bounds);
+            count += patch.range.count;
+        }
+        if (count == 0) continue;
+        effort.points += count;
+        Stopwatch watch;
+        see_through_face(
+            light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
+        effort.see_ms += watch.lap_ms();
+        sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds,
+            memory.irregular, tasks);
+        effort.sort_ms += watch.lap_ms();
+        test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
+        effort.test_ms += watch.lap_ms();
+    }
+}
+
+void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit)
+{
+    const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
+    lit.lights = world.lights.size();
+    lit.tiles = tiles.size();
+    lit.blocks = samples / kBlockSamples;
+    lit.words.resize(world.lights.size() * lit.tiles * lit.blocks);
+    resize(memory, tiles.size(), samples, tasks.threads());
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const Light& light = world.lights[l];
+        const LightSpace space = light_space(light, eye);
+        std::optional<SpotCone> cone;
+        if (light.kind == Light::Kind::spot) cone = spot_cone(light);
+        Stopwatch watch;
+        see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+        memory.effort.see_ms += watch.lap_ms();
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
+            std::uint64_t* words = &lit.words[lit.place(l, tile)];
+            find_facing(memory.mesh, tiles[tile], {words, lit.blocks});
+            LightChunk& chunk = *memory.workers[worker];
+            collect_hits(tiles[tile], space, cone ? &*cone : nullptr, std::uint32_t(tile * samples),
+                words, chunk);
+            see_points(space, chunk, tile * chunk_room(samples), memory.samples.span(),
+                memory.parts[tile]);
+            std::memset(memory.shadowed.data() + tile * samples, 0, samples);
+        });
+        memory.effort.collect_ms += watch.lap_ms();
+        test_chunks(HitPoints(tiles, memory.mesh.space), memory, tasks);
+        watch.lap_ms();
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
+            remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,
+                &lit.words[lit.place(l, tile)]);
+        });
+        memory.effort.collect_ms += watch.lap_ms();
+    }
+}
+
+} // namespace firsthit

@@ -1,0 +1,78 @@
+// exact_shadows.h - which lights reach what the eye sees: for every hit and light the answer of a
+// shadow ray.
+#pragma once
+
+#include "base/tasks.h"
+#include "hits/hit_tile.h"
+#include "hits/lit_tile.h"
+#include "visibility/irregular_zbuffer.h"
+#include "visibility/see_points.h"
+
+#include <firsthit/scene.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace firsthit {
+
+/// Where the time went, in milliseconds, and what it took.
+struct ShadowEffort {
+    double collect_ms = 0;    // hits to points in the light's space
+    double see_ms = 0;        // vertices and triangles to the light's faces
+    double sort_ms = 0;       // into the cells
+    double test_ms = 0;       // triangles over points
+    std::uint64_t points = 0; // that a light might reach
+    ShadowCounts counts;
+};
+
+/// Kept from frame to frame.
+struct ShadowMemory {
+    LightMesh mesh;
+    IrregularMemory irregular;
+    Buffer<IrregularSample> samples; // (chunks, chunk_room)
+    std::vector<FaceParts> parts;    // (chunks)
+    Buffer<SamplePatch> patches;     // (chunks) of one face
+    Buffer<std::uint8_t> shadowed;   // (points) of one light
+    std::vector<std::unique_ptr<LightChunk>> workers;
+    ShadowEffort effort; // so far; take_effort moves it away
+};
+
+/// What was done since the last call.
+ShadowEffort take_effort(ShadowMemory& memory);
+
+/// Room for what the workers need.
+void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
+
+/// Tests the samples of all chunks: memory.shadowed of those that are. memory.mesh, samples and
+/// parts are filled in.
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks);
+
+/// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
+/// a tile's light belongs to its block k.
+struct LitBits {
+    Buffer<std::uint64_t> words; // (lights, tiles, blocks)
+    std::size_t tiles = 0;
+    std::size_t blocks = 0; // of a tile
+
+    std::size_t lights = 0;
+
+    std::size_t place(std::size_t light, std::size_t tile) const
+    {
+        return (light * tiles + tile) * blocks;
+    }
+};
+
+/// A tile's part of all lights as floats, in `memory`.
+LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
+
+/// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
+/// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle
+/// shadows it (exact/shadow_ray.h).
+/// eye    where the hits were seen from
+/// tiles  of one picture part, all of one size, whose items lie one behind the other
+void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit);
+
+} // namespace firsthit

@@ -1,0 +1,61 @@
+// light_mesh.h - the scene's triangles as a light sees them.
+#pragma once
+
+#include "base/buffer.h"
+#include "base/tasks.h"
+#include "exact/shadow_ray.h"
+#include "visibility/irregular_samples.h"
+#include "visibility/light_face.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace firsthit {
+
+/// A triangle that may shadow a sample: the box in which the face sees it, and its nearest corner's
+/// w (infinite where it reaches behind the light). 24 bytes.
+struct SeenTriangle {
+    std::uint32_t triangle;
+    float x0, y0, x1, y1;
+    float nearest_w;
+};
+
+/// Whether the triangle may shadow a sample inside the bounds.
+inline bool may_shadow(const SeenTriangle& box, const SampleBounds& bounds)
+{
+    return box.x0 <= bounds.x1 && box.x1 >= bounds.x0 && box.y0 <= bounds.y1 &&
+           box.y1 >= bounds.y0 && !(box.nearest_w < bounds.farthest_w);
+}
+
+/// Kept from frame to frame.
+struct LightMesh {
+    LightSpace space;
+    std::span<const glm::uvec3> index;
+    Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
+    LightFace face;
+    Buffer<SeenPoint> seen;       // (V) by the face; x is no number: behind it, or unusable
+    Buffer<SeenTriangle> in_view; // (T) room; each range of triangles fills the start of its part
+    Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
+
+    Corners corners(std::uint32_t triangle) const
+    {
+        const glm::uvec3& c = index[triangle];
+        return {corner[c.x], corner[c.y], corner[c.z]};
+    }
+};
+
+/// Triangles of one range.
+inline constexpr std::size_t kLightRange = 8192;
+
+/// Moves all vertices into the light's space.
+void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
+    std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);
+
+/// Finds the triangles that may shadow samples inside the bounds, which this face sees. No triangle
+/// is left out that does.
+void see_through_face(
+    const LightFace& face, const SampleBounds& bounds, LightMesh& mesh, Tasks& tasks);
+
+} // namespace firsthit

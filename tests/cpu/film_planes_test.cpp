@@ -1,0 +1,50 @@
+// film_planes_test.cpp - the light of a tile goes to its pixels.
+#include "cpu/film_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace firsthit {
+namespace {
+
+TEST(FilmPlanes, LightGoesToThePixelsOfTheTileThatHaveAnItem)
+{
+    // The second of two tiles of 8 x 8, cut off by a picture of 14 x 5.
+    constexpr std::size_t kSamples = 64, kLights = 3;
+    ViewMemory view;
+    view.tile_size = 8;
+    view.tiles_x = 2;
+    alignas(64) std::uint32_t item[kSamples];
+    alignas(64) float lit[kLights * kSamples], zero[kSamples] = {};
+    for (std::size_t k = 0; k < kSamples; ++k) {
+        item[k] = k % 3 == 0 ? kNoItem : 7;
+        for (std::size_t light = 0; light < kLights; ++light)
+            lit[light * kSamples + k] =
+                k % 3 == 0 ? std::numeric_limits<float>::quiet_NaN() : float(100 * light + k);
+    }
+    HitTile hits;
+    hits.size = 8;
+    hits.item = item;
+    hits.t = hits.u = hits.v = zero;
+
+    Film film;
+    film.width = 14;
+    film.height = 5;
+    const Aov aovs[] = {Aov::lit};
+    resize(film, film.width, film.height, false, aovs, kLights);
+    const Region all{0, 0, 14, 5};
+    store_tile({view, all, all, 1, 1}, hits, {lit, kSamples}, {}, film);
+
+    for (int y = 0; y < 5; ++y)
+        for (int x = 8; x < 14; ++x)
+            for (std::size_t light = 0; light < kLights; ++light) {
+                const auto k = std::size_t(tile_offset(x - 8, y, 8));
+                const float expected = k % 3 == 0 ? 0.0f : float(100 * light + k);
+                EXPECT_EQ(film[Aov::lit].value[std::size_t(y * 14 + x) * kLights + light], expected)
+                    << x << " " << y << " " << light;
+            }
+}
+
+} // namespace
+} // namespace firsthit

@@ -1,0 +1,125 @@
+// point_shadows_test.cpp - the irregular z-buffer against the plain loop over all triangles.
+#include "shadow/point_shadows.h"
+
+#include "instruction_sets.h"
+#include "scenes.h"
+
+#include <firsthit/scene.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace firsthit {
+namespace {
+
+/// Every point against every triangle.
+std::vector<std::uint8_t> brute(const World& world, const LightSpace& space,
+    const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& receivers)
+{
+    Effort effort;
+    std::vector<Corners> triangles;
+    for (const glm::uvec3& c : world.scene->index)
+        triangles.push_back({to_light(space, world.position[c.x]),
+            to_light(space, world.position[c.y]), to_light(space, world.position[c.z])});
+    std::vector<std::uint8_t> shadowed;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const glm::vec3 d = to_light(space, points[k]);
+        bool found = false;
+        for (std::size_t t = 0; t < triangles.size() && !found; ++t)
+            found = (receivers.empty() || receivers[k] != t) &&
+                    is_shadowed(space, triangles[t], d, effort);
+        shadowed.push_back(found);
+    }
+    return shadowed;
+}
+
+struct Case {
+    std::vector<glm::vec3> position;
+    std::vector<glm::uvec3> index;
+    std::vector<glm::vec3> points;
+    std::vector<std::uint32_t> receivers;
+};
+
+/// Triangles of all sizes around the origin, and points in space and on them.
+Case random_case(std::mt19937& random, float size, bool snapped)
+{
+    std::uniform_real_distribution<float> unit(-1, 1);
+    Case made;
+    const auto somewhere = [&](float reach) {
+        glm::vec3 p{unit(random), unit(random), unit(random)};
+        if (snapped) p = glm::round(p * 4.0f) / 4.0f;
+        return p * reach;
+    };
+    for (int t = 0; t < 120; ++t) {
+        const float reach = size * std::exp2(-4.0f * std::abs(unit(random)));
+        const glm::vec3 middle = somewhere(size);
+        const auto first = std::uint32_t(made.position.size());
+        for (int k = 0; k < 3; ++k) made.position.push_back(middle + somewhere(reach));
+        made.index.push_back({first, first + 1, first + 2});
+        if (t % 7 == 0) made.index.push_back({first + 1, first + 2, first}); // twice
+    }
+    for (int k = 0; k < 3000; ++k) {
+        if (k % 2) {
+            made.points.push_back(somewhere(1.5f * size));
+            made.receivers.push_back(kNoItem);
+        } else {
+            const auto t = std::uint32_t(random() % made.index.size());
+            const glm::uvec3 c = made.index[t];
+            float u = std::abs(unit(random)), v = std::abs(unit(random)) * (1 - u);
+            if (snapped) u = 0.5f, v = 0.25f * float(random() % 3);
+            made.points.push_back(
+                (1 - u - v) * made.position[c.x] + u * made.position[c.y] + v * made.position[c.z]);
+            made.receivers.push_back(t);
+        }
+    }
+    return made;
+}
+
+void expect_brute(const Case& made, const Light& light, const std::string& what)
+{
+    const Scene scene = scene_from_arrays(made.position, made.index);
+    World world;
+    world.scene = &scene;
+    world.position = scene.position;
+    const LightSpace space = light_space(light, glm::dvec3(0));
+    const auto expected = brute(world, space, made.points, made.receivers);
+    for (const int threads : {1, 3}) {
+        ShadowMemory memory;
+        Tasks tasks(threads);
+        std::vector<std::uint8_t> shadowed(made.points.size());
+        test_points(world, space, made.points, made.receivers, memory, tasks, shadowed);
+        std::size_t wrong = 0;
+        for (std::size_t k = 0; k < shadowed.size(); ++k) wrong += shadowed[k] != expected[k];
+        EXPECT_EQ(wrong, 0u) << what << ", " << threads << " threads";
+    }
+}
+
+TEST(PointShadows, are_those_of_the_plain_loop_for_random_triangles)
+{
+    for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+        for (const bool snapped : {false, true}) {
+            for (const float size : {1e-3f, 1.0f, 1e6f}) {
+                std::mt19937 random(seed);
+                const Case made = random_case(random, size, snapped);
+                const std::string what = "seed " + std::to_string(seed) + ", size " +
+                                         std::to_string(size) + (snapped ? ", snapped" : "");
+                Light light;
+                light.position = glm::dvec3(0.1, 0.2, 0.05) * double(size);
+                expect_brute(made, light, what + ", inside");
+                light.position = glm::dvec3(2, 5, -1) * double(size);
+                expect_brute(made, light, what + ", outside");
+                light.position = glm::dvec3(made.position[4]);
+                expect_brute(made, light, what + ", on a vertex");
+                light.kind = Light::Kind::directional;
+                light.direction = {0, -1, 0};
+                expect_brute(made, light, what + ", from above");
+                light.direction = {0.3, -1, 0.4};
+                expect_brute(made, light, what + ", oblique");
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace firsthit
