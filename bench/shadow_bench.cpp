@@ -120,7 +120,7 @@ void measure(const std::string& argument, const Options& options)
     const LightSpace space = light_space(world.lights[0], view.camera.eye);
 
     // The points of all tiles, for Embree.
-    Tree tree(memory.shadows.mesh, options.threads);
+    Tree tree(memory.lit.exact.mesh, options.threads);
     std::vector<std::unique_ptr<LightChunk>> chunks;
     std::vector<std::uint8_t> theirs(memory.tiles.size() * samples);
     for (std::size_t tile = 0; tile < memory.tiles.size(); ++tile) {
@@ -129,7 +129,7 @@ void measure(const std::string& argument, const Options& options)
         std::vector<std::uint64_t> chosen(samples / 64);
         TileReceivers receivers;
         receivers.resize(samples);
-        find_receivers(memory.shadows.mesh, memory.tiles[tile], chosen, receivers);
+        find_receivers(memory.lit.exact.mesh, memory.tiles[tile], chosen, receivers);
         collect_hits(memory.tiles[tile], receivers, space, nullptr, std::uint32_t(tile * samples),
             chosen.data(), *chunks.back());
     }
@@ -140,11 +140,12 @@ void measure(const std::string& argument, const Options& options)
         if (round == 2)
             for (auto* times : {&ours_ms, &collect_ms, &see_ms, &sort_ms, &test_ms, &theirs_ms})
                 times->clear();
-        take_effort(memory.shadows);
+        take_effort(memory.lit.exact);
         Stopwatch watch;
-        test_exact_shadows(world, view.camera.eye, memory.tiles, memory.shadows, tasks, memory.lit);
+        test_exact_shadows(
+            world, view.camera.eye, memory.tiles, memory.lit.exact, tasks, memory.lit.bits);
         ours_ms.push_back(watch.lap_ms());
-        effort = take_effort(memory.shadows);
+        effort = take_effort(memory.lit.exact);
         collect_ms.push_back(effort.collect_ms);
         see_ms.push_back(effort.see_ms);
         sort_ms.push_back(effort.sort_ms);
@@ -157,8 +158,8 @@ void measure(const std::string& argument, const Options& options)
     }
     std::size_t differ = 0, shadowed = 0;
     for (std::size_t k = 0; k < theirs.size(); ++k) {
-        differ += theirs[k] != memory.shadows.shadowed[k];
-        shadowed += memory.shadows.shadowed[k];
+        differ += theirs[k] != memory.lit.exact.shadowed[k];
+        shadowed += memory.lit.exact.shadowed[k];
     }
     const std::string name = argument.substr(argument.find_last_of('/') + 1);
     std::printf(

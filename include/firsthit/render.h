@@ -39,7 +39,10 @@ struct Stats {
     double setup_ms = 0; // vertices to the view, triangles to tiles
     double raster_ms = 0;
     double resolve_ms = 0;
-    double shadow_ms = 0; // which lights reach what is seen, on all threads
+    double shadow_ms = 0; // which lights reach what is seen, on all threads; of this, exactly:
+    double shadow_collect_ms = 0; // hits to points in the lights' spaces
+    double shadow_sort_ms = 0;    // points and triangles into the lights' cells
+    double shadow_test_ms = 0;    // triangles over points
     double shade_ms = 0;
     double write_ms = 0; // filled in by who writes
     double total_ms = 0;

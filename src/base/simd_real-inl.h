@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -162,8 +163,8 @@ FIRSTHIT_PURE void store_where(truth chosen, real a, float* p)
 /// The kLanes lowest bits as lanes, bit 0 in lane 0.
 FIRSTHIT_PURE truth truth_of_bits(std::uint64_t bits)
 {
-    std::uint8_t bytes[8]; // Highway reads 8
-    for (int i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
+    std::uint8_t bytes[8]; // Highway reads 8, lowest first
+    std::memcpy(bytes, &bits, sizeof bits);
     return {hn::LoadMaskBits(RealTag(), bytes)};
 }
 

@@ -19,8 +19,13 @@ struct Pass {
     int samples = 1; // on a pixel's side
     bool color = true;
     std::span<const Aov> aovs;
-    bool shadows = false; // to be found for the colour
+    const Settings* shadows = nullptr; // how to find them; null: every light reaches everything
 };
+
+/// Samples on the side of a part whose hits are kept for the lights: 100 MB, and 400 MB, so that
+/// maps are seldom made for parts.
+constexpr int kExactSide = 2048;
+constexpr int kMapSide = 4096;
 
 /// Samples on a tile's side: whole blocks and whole pixels.
 int tile_samples(int tile_size, int samples)
@@ -76,6 +81,16 @@ HitTile see_tile(FrameMemory& memory, std::size_t tile, std::size_t place, TileW
     return hits;
 }
 
+/// The tile's colours and planes, to the film.
+void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
+    const TilePlace& place, TileWorker& worker, Film& film)
+{
+    Stopwatch lap;
+    shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
+    store_tile(place, hits, lit, worker.shade.targets, film);
+    worker.shade_ms += lap.lap_ms();
+}
+
 /// Items, hits and colours of one part of the picture. Where shadows have to be found, all tiles'
 /// hits are kept for the lights; else each tile is finished while it is in cache.
 void render_part(const World& world, const View& view, const Region& part, const Pass& pass,
@@ -89,34 +104,35 @@ void render_part(const World& world, const View& view, const Region& part, const
             render_part(world, view, half, pass, tile_size, memory, tasks, film, stats);
         return;
     }
-
     const std::size_t tiles = std::size_t(memory.view.tiles());
-    resize(memory.hits, tile_size, pass.shadows ? tiles : std::size_t(tasks.threads()));
-    const auto finish = [&](const HitTile& hits, std::size_t tile, TileWorker& worker) {
-        Stopwatch lap;
-        LitTile lit;
-        if (pass.shadows) lit = unpack_lit(memory.lit, tile, worker.lit);
-        shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
-        store_tile({memory.view, part, view.region, pass.samples, int(tile)}, hits, lit,
-            worker.shade.targets, film);
-        worker.shade_ms += lap.lap_ms();
+    const auto place = [&](std::size_t tile) {
+        return TilePlace{memory.view, part, view.region, pass.samples, int(tile)};
     };
-    if (pass.shadows) {
-        memory.tiles.resize(tiles);
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
-            memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[worker]);
-        });
-        watch.lap_ms();
-        test_exact_shadows(world, view.camera.eye, memory.tiles, memory.shadows, tasks,
-            memory.lit); // which lights reach it?
-        memory.shadow_ms += watch.lap_ms();
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
-            finish(memory.tiles[tile], tile, *memory.workers[worker]);
+    if (!pass.shadows) {
+        resize(memory.hits, tile_size, std::size_t(tasks.threads()));
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
+            TileWorker& worker = *memory.workers[number];
+            const HitTile hits = see_tile(memory, tile, number, worker);
+            finish_tile(world, hits, {}, place(tile), worker, film);
         });
     } else {
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t worker) {
-            TileWorker& own = *memory.workers[worker];
-            finish(see_tile(memory, tile, worker, own), tile, own);
+        resize(memory.hits, tile_size, tiles);
+        memory.tiles.resize(tiles);
+        start_lit(world, *pass.shadows, tasks.threads(), memory.lit);
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
+            memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[number]);
+            add_lit_hits(memory.tiles[tile], memory.lit, number);
+        });
+        watch.lap_ms();
+        find_lit(world, *pass.shadows, view.camera.eye, memory.tiles, memory.lit,
+            tasks); // which lights reach it?
+        stats.shadow_ms += watch.lap_ms();
+        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
+            TileWorker& worker = *memory.workers[number];
+            Stopwatch lap;
+            const LitTile lit = lit_of_tile(world, memory.tiles, tile, memory.lit, worker.lit);
+            worker.shadow_ms += lap.lap_ms();
+            finish_tile(world, memory.tiles[tile], lit, place(tile), worker, film);
         });
     }
     stats.in_view += memory.view.in_view_count;
@@ -142,7 +158,10 @@ void render_pass(const World& world, const View& view, const Pass& pass, int til
     const int tile = tile_samples(tile_size, pass.samples);
     prepare(pass, tile, world, view, memory, tasks, film);
     // Parts small enough for the boxes' and tiles' integers, in whole tiles.
-    const int step = std::min(kMaxPencil, 255 * tile) / tile * tile / pass.samples;
+    int side = std::min(kMaxPencil, 255 * tile);
+    if (pass.shadows)
+        side = std::min(side, pass.shadows->shadows == Shadows::map ? kMapSide : kExactSide);
+    const int step = side / tile * tile / pass.samples;
     const Region& all = view.region;
     for (int y = 0; y < all.height; y += step) {
         for (int x = 0; x < all.width; x += step) {
@@ -159,15 +178,17 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
     for (const auto& worker : memory.workers) {
         stats.raster_ms += worker->raster_ms / threads;
         stats.resolve_ms += worker->resolve_ms / threads;
+        stats.shadow_ms += worker->shadow_ms / threads;
         stats.shade_ms += worker->shade_ms / threads;
         stats.uncertain_lanes += worker->counts.uncertain;
         stats.ambiguous_lanes += worker->counts.ambiguous;
         stats.exact_calls += worker->counts.effort.exact_calls;
         stats.hits += worker->hit_count;
-        worker->raster_ms = worker->resolve_ms = worker->shade_ms = 0;
+        worker->raster_ms = worker->resolve_ms = worker->shadow_ms = worker->shade_ms = 0;
         worker->counts = {};
         worker->hit_count = 0;
     }
+    add_lit_stats(memory.lit, stats);
 }
 
 } // namespace
@@ -182,16 +203,17 @@ void render_frame(const World& world, const View& view, const Settings& settings
     // pass.
     const bool together = settings.samples == 1;
     const std::span<const Aov> aovs = settings.aovs;
-    const bool shadows = settings.shadows == Shadows::exact && !world.lights.empty();
-    const bool lit = shadows && std::find(aovs.begin(), aovs.end(), Aov::lit) != aovs.end();
+    const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
+    const bool lit = std::find(aovs.begin(), aovs.end(), Aov::lit) != aovs.end();
+    const auto find_shadows = [&](bool wanted) { return shadows && wanted ? &settings : nullptr; };
     if (settings.color || together)
         render_pass(world, view,
             {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
-                (settings.color && shadows) || (together && lit)},
+                find_shadows(settings.color || lit)},
             settings.tile_size, memory, tasks, film, stats);
     if (!together && !aovs.empty())
-        render_pass(
-            world, view, {1, false, aovs, lit}, settings.tile_size, memory, tasks, film, stats);
+        render_pass(world, view, {1, false, aovs, find_shadows(lit)}, settings.tile_size, memory,
+            tasks, film, stats);
     collect(memory, tasks.threads(), stats);
 }
 

@@ -4,7 +4,7 @@
 #include "base/tasks.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
-#include "shadow/exact_shadows.h"
+#include "shadow/lit_stage.h"
 #include "visibility/item_tile.h"
 #include "visibility/view_memory.h"
 
@@ -26,7 +26,7 @@ struct TileWorker {
     ItemTile items{};
     ShadeMemory shade;
     Buffer<float> lit; // (lights, samples) of a tile
-    double raster_ms = 0, resolve_ms = 0, shade_ms = 0;
+    double raster_ms = 0, resolve_ms = 0, shadow_ms = 0, shade_ms = 0;
     TileCounts counts;
     std::uint64_t hit_count = 0;
 };
@@ -36,9 +36,7 @@ struct FrameMemory {
     ViewMemory view;
     HitMemory hits;             // of all tiles where lights wait for them, else one a worker
     std::vector<HitTile> tiles; // of all tiles
-    ShadowMemory shadows;
-    LitBits lit;
-    double shadow_ms = 0;
+    LitMemory lit;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };
 

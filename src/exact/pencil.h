@@ -22,6 +22,12 @@ struct Pencil {
     int height = 0;
     double x0 = 0; // direction of its first sample
     double y0 = 0;
+
+    /// Rays along z instead: moved into this space, a point becomes (x s, y s, s), s = 1 / (far -
+    /// z). Planes stay planes, x s / s = x, and 1 / s is affine in x and y, as 1 / z is of a pinhole
+    /// camera. All points have to have z < far.
+    bool parallel = false;
+    double far = 0;
 };
 
 /// The widest and highest rectangle that is rasterised at once, in samples.

@@ -46,9 +46,15 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto row = [&](int r) {
         const glm::dmat3& m = pencil.eye_from_world;
         const auto xy = hn::Add(hn::Mul(hn::Set(d, m[0][r]), px), hn::Mul(hn::Set(d, m[1][r]), py));
-        return hn::DemoteTo(f, hn::Add(xy, hn::Mul(hn::Set(d, m[2][r]), pz)));
+        return hn::Add(xy, hn::Mul(hn::Set(d, m[2][r]), pz));
     };
-    const auto x = row(0), y = row(1), z = row(2);
+    auto eye_x = row(0), eye_y = row(1), eye_z = row(2);
+    if (pencil.parallel) {
+        eye_z = hn::Div(hn::Set(d, 1.0), hn::Sub(hn::Set(d, pencil.far), eye_z));
+        eye_x = hn::Mul(eye_x, eye_z);
+        eye_y = hn::Mul(eye_y, eye_z);
+    }
+    const auto x = hn::DemoteTo(f, eye_x), y = hn::DemoteTo(f, eye_y), z = hn::DemoteTo(f, eye_z);
     hn::StoreInterleaved4(x, y, z, hn::Zero(f), f, corner);
 
     // Where the vertex stands among the samples. NaN and infinity take the careful way.

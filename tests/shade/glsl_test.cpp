@@ -27,7 +27,7 @@ std::string shader()
            "#define integer int\n#define truth bool\n"
            "#define shift_left_23(a) ((a) << 23)\n#define shift_right_23(a) ((a) >> 23)\n" +
            text_of("hit_position.glsl") + text_of("spot_cone.glsl") + text_of("power.glsl") +
-           text_of("phong.glsl") + text_of("texture.glsl") + R"(
+           text_of("phong.glsl") + text_of("texture.glsl") + text_of("shadow_map.glsl") + R"(
 layout(location = 0) out vec4 color;
 void main()
 {
@@ -40,6 +40,7 @@ void main()
         + highlight(n, unit(-d), vec3(0, 1, 0), cosine, 4, 4.0);
     Texels texels = bilinear_texels(p.x, p.y, 64.0, 32.0);
     float level = mip_level(footprint2(p.x, p.y, 3.0, vec2(1), vec2(2), vec2(3), vec2(64)), 5.0);
+    if (is_shadowed(p.y, p.z, texel_epsilon(p.z, 1.5, 0.01))) cosine = 0.0;
     vec3 lit = reflected(vec3(1), vec3(0.5), cosine, vec3(0.5), glint)
         * cone_share(versine(vec3(0, -1, 0), p), 0.5, 3.0);
     color = vec4(blend3(lit, p, blend(texels.right, texels.bottom, level)), texels.top_left);

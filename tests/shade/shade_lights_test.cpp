@@ -123,7 +123,7 @@ TEST(ShadeLights, SamplesWithoutAnItemAreNotAskedForTheirLight)
 {
     Wall wall;
     wall.add_light({0, 0, 0});
-    wall.runs = {{0, 0, 0xF0F0F0F0F0F0F0F0u}};
+    wall.runs = {{0, 0, 0, 0xF0F0F0F0F0F0F0F0u}};
     wall.point_at_arrays();
     for (int k = 0; k < 64; ++k) wall.lit[k] = k & 4 ? 1 : std::numeric_limits<float>::quiet_NaN();
     shade_tile(wall.hits, wall.world, {wall.lit, 64}, wall.memory.targets);

@@ -238,7 +238,7 @@ TEST(ShadeTile, EachRunWritesItsOwnSamplesAndNoOther)
         material.ambient = glm::vec3(static_cast<float>(sample));
         tile.scene.index.push_back(tile.scene.index[0]);
         tile.scene.owner.push_back(static_cast<std::uint32_t>(k + 1));
-        tile.runs.push_back({static_cast<std::uint32_t>(k + 2), 0, std::uint64_t(1) << sample});
+        tile.runs.push_back({static_cast<std::uint32_t>(k + 2), 0, 0, std::uint64_t(1) << sample});
     }
     tile.point_at_arrays();
     ShadeMemory memory;

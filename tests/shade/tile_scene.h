@@ -138,7 +138,8 @@ struct TileScene {
                     std::uint64_t(1) << (at % kBlockSamples);
             }
         runs.clear();
-        for (const auto& [key, mask] : masks) runs.push_back({key.second, key.first, mask});
+        for (const auto& [key, mask] : masks)
+            runs.push_back({key.second, static_cast<std::uint16_t>(key.first), 0, mask});
         point_at_arrays();
     }
 

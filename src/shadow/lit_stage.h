@@ -1,0 +1,43 @@
+// lit_stage.h - the frame's question "which lights reach what is seen?", put to the technique that
+// was asked for.
+#pragma once
+
+#include "base/tasks.h"
+#include "hits/hit_tile.h"
+#include "hits/lit_tile.h"
+#include "shadow/exact_shadows.h"
+#include "shadow/shadow_map.h"
+
+#include <firsthit/render.h>
+
+#include <span>
+
+namespace firsthit {
+
+/// Kept from frame to frame.
+struct LitMemory {
+    Shadows technique = Shadows::exact; // never none
+    ShadowMemory exact;
+    LitBits bits; // of the exact technique
+    ShadowMaps maps;
+};
+
+/// Begins a part of the picture.
+void start_lit(const World& world, const Settings& settings, int threads, LitMemory& memory);
+
+/// Takes note of a tile's hits while they are in cache. Calls with different workers may overlap.
+void add_lit_hits(const HitTile& hits, LitMemory& memory, std::size_t worker);
+
+/// Once all tiles' hits are known: finds the shadows, or makes the maps that show them.
+/// eye, tiles  see test_exact_shadows
+void find_lit(const World& world, const Settings& settings, const glm::dvec3& eye,
+    std::span<const HitTile> tiles, LitMemory& memory, Tasks& tasks);
+
+/// How much of each light reaches the samples of a tile; in `room`.
+LitTile lit_of_tile(const World& world, std::span<const HitTile> tiles, std::size_t tile,
+    const LitMemory& memory, Buffer<float>& room);
+
+/// Adds what was done since the last call.
+void add_lit_stats(LitMemory& memory, Stats& stats);
+
+} // namespace firsthit

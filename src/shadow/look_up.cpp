@@ -1,0 +1,251 @@
+// look_up.cpp - how much of a light reaches the hits of a tile, by its shadow maps.
+#include "shadow/look_up.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shadow/look_up.cpp"
+#include "base/simd.h"
+
+#include "shadow/ray_transform-inl.h"
+#include "shadow/steepness-inl.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+#include "glsl/shadow_map.glsl"
+
+/// A map as a tile looks at it.
+struct MapView {
+    RayTransform to; // (texel x, texel y, depth), see ShadowMap::matrix
+    const float* depth = nullptr;
+    int width = 0;
+    int height = 0;
+    bool parallel = false;
+    int filter = 1;
+    float bias = -1;
+    float reach = 0;    // of texel_epsilon
+    float rounding = 0; // added to it, and kRounding of the depth
+};
+
+constexpr float kRounding = 0x1p-20f;
+
+/// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
+constexpr double kNeighbours = 1.5;
+
+MapView map_view(
+    const ShadowMaps& maps, const ShadowLight& light, const ShadowMap& map, const HitTile& hits)
+{
+    MapView view;
+    view.to = ray_transform(hits.frame, map.matrix, map.origin, map.offset);
+    view.depth = map.depth.data();
+    view.width = map.width();
+    view.height = map.height();
+    view.parallel = light.frame.parallel;
+    view.filter = maps.filter;
+    view.bias = float(maps.bias);
+    view.reach = float(kNeighbours * 0.5 * maps.filter * map.source.fit.texel);
+    const glm::dvec3 eye = glm::abs(glm::dvec3(hits.frame.eye) - map.origin);
+    view.rounding = kRounding * float(eye.x + eye.y + eye.z);
+    return view;
+}
+
+FIRSTHIT_PURE real clamped(real x, float most)
+{
+    return max(min(x, real(most)), real(0.0f)); // no number: most
+}
+
+FIRSTHIT_PURE integer whole(real x)
+{
+    return integer(hn::ConvertTo(IntegerTag(), x.lanes));
+}
+
+/// Where the quads' row of texel row y starts, plus the row in the quad; and the same for a column
+/// (see quad_offset).
+FIRSTHIT_PURE integer row_offset(integer y, int quads_x)
+{
+    const integer quads = integer(hn::ShiftRight<2>(y.lanes)) * integer(quads_x);
+    return integer(hn::ShiftLeft<4>(quads.lanes)) +
+           integer(hn::ShiftLeft<2>((y & integer(3)).lanes));
+}
+FIRSTHIT_PURE integer column_offset(integer x)
+{
+    return integer(hn::ShiftLeft<4>(hn::ShiftRight<2>(x.lanes))) + (x & integer(3));
+}
+
+/// The share of the texels around the points at depth t that show nothing before them.
+HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real t, real steepness)
+{
+    const real3 p = transform_hits(map.to, x, y, first, t);
+    const real depth = p.z;
+    real column = p.x, row = p.y, epsilon = real(map.bias);
+    if (!map.parallel) {
+        const real inv_depth = real(1.0f) / depth;
+        column = column * inv_depth;
+        row = row * inv_depth;
+    }
+    if (map.bias < 0)
+        epsilon = texel_epsilon(map.parallel ? real(1.0f) : depth, steepness, real(map.reach)) +
+                  (depth * real(kRounding) + real(map.rounding));
+    const float last_column = float(map.width - 1), last_row = float(map.height - 1);
+    const int quads_x = quads(map.width);
+    const auto start_of = [&](real at_row) {
+        return row_offset(whole(clamped(at_row, last_row)), quads_x);
+    };
+    const auto lit_at = [&](integer start, real at_column) {
+        const integer at = start + column_offset(whole(clamped(at_column, last_column)));
+        return mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
+    };
+    real lit(0.0f);
+    if (map.filter == 1) {
+        lit = lit_at(start_of(floor(row)), floor(column));
+    } else {
+        const real half(0.5f * float(map.filter - 1));
+        const real first_column = floor(column - half), first_row = floor(row - half);
+        for (int j = 0; j < map.filter; ++j) {
+            const integer start = start_of(first_row + real(float(j)));
+            for (int i = 0; i < map.filter; ++i)
+                lit = lit + lit_at(start, first_column + real(float(i)));
+        }
+        lit = lit / real(float(map.filter * map.filter));
+    }
+    // Without a shadow ray.
+    const truth near = abs(depth) < real(1e30f);
+    return mix(real(1.0f), lit, map.parallel ? near : near & (depth > real(0.0f)));
+}
+
+/// Calls body(block's x, block's y, first sample of a register in its block, its offset in the
+/// tile, its depths) for the registers that have an item.
+template <class Body>
+HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
+{
+    const real infinity(std::numeric_limits<float>::infinity());
+    const int blocks_x = hits.size / kBlock;
+    for (int block = 0; block < blocks_x * blocks_x; ++block) {
+        const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
+        for (int first = 0; first < kBlockSamples; first += kLanes) {
+            const int offset = block * kBlockSamples + first;
+            const real t = load(hits.t + offset);
+            if (any(t < infinity)) body(x, y, first, offset, t);
+        }
+    }
+}
+
+/// What is known before a map is looked at: points that are seen from behind are dark.
+FIRSTHIT_PURE real facing_share(real share, real steepness)
+{
+    return mix(real(0.0f), share, steepness > real(0.0f));
+}
+
+/// All points are on one face. Every register holds its steepness in `lit` and leaves its light
+/// there.
+void look_up_face(const MapView& face, const HitTile& hits, float* lit)
+{
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const real steepness = load(lit + offset);
+        store(facing_share(lit_share(face, x, y, first, t, steepness), steepness), lit + offset);
+    });
+}
+
+/// The same, each point on its own face.
+void look_up_faces(
+    const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* lit)
+{
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const real steepness = load(lit + offset);
+        const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
+        const truth hit = t < real(std::numeric_limits<float>::infinity());
+        real share(1.0f);
+        for (int k = 0; k < kFaces; ++k) {
+            const truth here = hit & on.of(k);
+            if (face[k].width > 0 && any(here))
+                share = mix(share, lit_share(face[k], x, y, first, t, steepness), here);
+        }
+        store(facing_share(share, steepness), lit + offset);
+    });
+}
+
+/// The face that all hits of the tile are on, or -1 where they may be on several: the hull of its
+/// corner rays between the least and the greatest depth is on a face if its corners are.
+int common_face(const LightFrame& frame, const HitTile& hits)
+{
+    const RealTag d;
+    const real infinity(std::numeric_limits<float>::infinity());
+    real nearest = infinity, farthest(0.0f);
+    for_registers(hits, [&](float, float, int, int, real t) {
+        nearest = min(nearest, t);
+        farthest = max(farthest, mix(real(0.0f), t, t < infinity));
+    });
+    const double depth[2] = {double(hn::GetLane(hn::MinOfLanes(d, nearest.lanes))),
+        double(hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)))};
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    int common = -1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const double x = corner & 1 ? hits.size - 1 : 0, y = corner & 2 ? hits.size - 1 : 0;
+        const glm::dvec3 p = glm::dvec3(to.eye) + depth[corner / 4] * (x * glm::dvec3(to.right) +
+                                                                          y * glm::dvec3(to.down) +
+                                                                          glm::dvec3(to.forward));
+        const glm::dvec3 size = glm::abs(p);
+        const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+        const int face = 2 * axis + (p[axis] < 0 ? 1 : 0);
+        if (corner > 0 && face != common) return -1;
+        common = face;
+    }
+    return common;
+}
+
+/// Points outside of a spot's cone are dark.
+void darken_outside(const LightFrame& frame, const HitTile& hits, float* lit)
+{
+    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const float tan2_cone = float(frame.tan2_cone);
+    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+        const truth inside = in_cone(transform_hits(to, x, y, first, t), tan2_cone);
+        store(mix(real(0.0f), load(lit + offset), inside), lit + offset);
+    });
+}
+
+void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World& world,
+    const HitTile& hits, float* lit)
+{
+    spread_steepness(hits, world, light.frame, lit);
+    MapView face[kFaces];
+    int faces = 0, only = -1;
+    for (int k = 0; k < kFaces; ++k) {
+        if (light.map[std::size_t(k)].width() == 0) continue;
+        face[k] = map_view(maps, light, light.map[std::size_t(k)], hits);
+        ++faces;
+        only = k;
+    }
+    if (faces > 1) only = common_face(light.frame, hits);
+    if (only >= 0 && face[only].width > 0)
+        look_up_face(face[only], hits, lit);
+    else
+        look_up_faces(light.frame, face, hits, lit);
+    if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(look_up_tile);
+
+void look_up(
+    const ShadowMaps& maps, const World& world, const HitTile& hits, std::size_t light, float* lit)
+{
+    HWY_DYNAMIC_DISPATCH(look_up_tile)(maps, maps.light[light], world, hits, lit);
+}
+
+} // namespace firsthit
+#endif

@@ -1,0 +1,232 @@
+// raster_depth.cpp - the depth of one tile of a shadow map.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shadow/raster_depth.cpp"
+#include "base/simd.h"
+
+#include "shadow/raster_depth.h"
+#include "visibility/sample_registers-inl.h"
+#include "visibility/set_up-inl.h"
+
+#include <firsthit/scene.h>
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// No number gives the least.
+template <class D>
+HWY_INLINE hn::Vec<D> between(D, hn::Vec<D> w, hn::Vec<D> least, hn::Vec<D> greatest)
+{
+    return hn::Min(hn::IfThenElse(hn::Gt(w, least), w, least), greatest);
+}
+
+/// Edges and depth of one register of the batch, starting with number i. Computed in double and
+/// rounded once; edges are at most 1 over the triangle's box, so that kEdgeError bounds their error.
+void set_up_depth(DepthTile& tile, int i, float x0, float y0)
+{
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> f;
+    const hn::Rebind<std::int32_t, decltype(d)> w;
+    using V = hn::Vec<decltype(d)>;
+    const auto load = [&](int axis) {
+        return hn::PromoteTo(d, hn::Load(f, tile.corner[axis] + i));
+    };
+    const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
+        v2{load(6), load(7), load(8)};
+    const Planes<V> p = planes_of(v0, v1, v2);
+    const V ox = hn::Set(d, double(x0)), oy = hn::Set(d, double(y0)), one = hn::Set(d, 1.0);
+    const auto at_first = [&](const Vector3<V>& n) {
+        return hn::Add(hn::Add(hn::Mul(n.x, ox), hn::Mul(n.y, oy)), n.z);
+    };
+    const auto store = [&](V v, float* to) { hn::Store(hn::DemoteTo(f, v), f, to + i); };
+
+    const V extent_x = hn::PromoteTo(d, hn::Load(w, tile.x1 + i));
+    const V extent_y = hn::PromoteTo(d, hn::Load(w, tile.y1 + i));
+    const V facing = hn::CopySign(one, p.volume);
+    const auto edge_on = hn::Eq(p.volume, hn::Zero(d));
+    for (int k = 0; k < 3; ++k) {
+        const Vector3<V>& n = p.edge[k];
+        const V at = at_first(n);
+        const V size = hn::Add(
+            hn::Abs(at), hn::Add(hn::Mul(extent_x, hn::Abs(n.x)), hn::Mul(extent_y, hn::Abs(n.y))));
+        const V scale = hn::Div(facing, size);
+        store(hn::Mul(n.x, scale), tile.gx[k]);
+        store(hn::Mul(n.y, scale), tile.gy[k]);
+        // Seen edge-on it covers nothing.
+        store(hn::IfThenElse(edge_on, hn::Neg(one), hn::Mul(at, scale)), tile.c[k]);
+    }
+    const V inverse_volume = hn::Div(one, p.volume);
+    store(hn::Mul(p.n.x, inverse_volume), tile.wx);
+    store(hn::Mul(p.n.y, inverse_volume), tile.wy);
+    store(hn::Mul(at_first(p.n), inverse_volume), tile.wc);
+
+    // Its depths lie between those of its corners, whatever rounding says.
+    const auto z = [&](int axis) { return hn::Load(f, tile.corner[axis] + i); };
+    const auto nearest = hn::Min(z(2), hn::Min(z(5), z(8)));
+    const auto farthest = hn::Max(z(2), hn::Max(z(5), z(8)));
+    const auto single = hn::Set(f, 1.0f);
+    hn::Store(hn::Div(single, farthest), f, tile.least_w + i);
+    hn::Store(hn::IfThenElse(hn::Gt(nearest, hn::Zero(f)), hn::Div(single, nearest),
+                  hn::Set(f, std::numeric_limits<float>::infinity())),
+        f, tile.greatest_w + i);
+}
+
+/// 1/t at the four corners of boxes of at most 2x2 texels, 0 where the triangle does not cover them
+/// or the box is larger. Most triangles of a fine mesh are decided here, several at once. A box with
+/// one column or row has its texels twice, which does not matter to a maximum.
+void set_up_tiny(DepthTile& tile, int i)
+{
+    const hn::CappedTag<float, 8> f;
+    const hn::RebindToSigned<decltype(f)> w;
+    const auto load = [&](const float* from) { return hn::Load(f, from + i); };
+    const auto coordinate = [&](const std::int32_t* from) {
+        return hn::ConvertTo(f, hn::Load(w, from + i));
+    };
+    const auto x0 = coordinate(tile.x0), y0 = coordinate(tile.y0);
+    const auto x1 = coordinate(tile.x1), y1 = coordinate(tile.y1);
+    const auto one = hn::Set(f, 1.0f);
+    const auto tiny = hn::And(hn::Le(hn::Sub(x1, x0), one), hn::Le(hn::Sub(y1, y0), one));
+    hn::Store(hn::VecFromMask(w, hn::RebindMask(w, tiny)), w, tile.tiny + i);
+    if (hn::AllFalse(f, tiny)) return;
+    const auto least_w = load(tile.least_w), greatest_w = load(tile.greatest_w);
+    for (int k = 0; k < 4; ++k) {
+        const auto x = k & 1 ? x1 : x0, y = k & 2 ? y1 : y0;
+        const auto at = [&](const float* gx, const float* gy, const float* c) {
+            return hn::Add(hn::Mul(load(gx), x), hn::Add(hn::Mul(load(gy), y), load(c)));
+        };
+        const auto edge = [&](int e) { return at(tile.gx[e], tile.gy[e], tile.c[e]); };
+        const auto least = hn::Min(edge(0), hn::Min(edge(1), edge(2)));
+        const auto inside = hn::And(tiny, hn::Gt(least, hn::Set(f, -kEdgeError)));
+        const auto depth = between(f, at(tile.wx, tile.wy, tile.wc), least_w, greatest_w);
+        hn::Store(hn::IfThenElseZero(inside, depth), f, tile.tiny_w[k] + i);
+    }
+}
+
+/// Stores the texels of a tiny box.
+HWY_INLINE void store_tiny(DepthTile& tile, int i)
+{
+    for (int k = 0; k < 4; ++k) {
+        const int x = k & 1 ? tile.x1[i] : tile.x0[i], y = k & 2 ? tile.y1[i] : tile.y0[i];
+        float& stored = tile.w[std::size_t(tile.column_offset[x] + tile.row_offset[y])];
+        stored = std::max(stored, tile.tiny_w[k][i]);
+    }
+}
+
+/// Triangle i over the registers of its box.
+HWY_INLINE void raster_triangle(DepthTile& tile, int i)
+{
+    const Samples d;
+    const LaneOffsets<Samples> lane(d);
+    const auto set = [&](float v) { return hn::Set(d, v); };
+    const auto gx0 = set(tile.gx[0][i]), gx1 = set(tile.gx[1][i]), gx2 = set(tile.gx[2][i]),
+               wx = set(tile.wx[i]);
+    const auto least_w = set(tile.least_w[i]), greatest_w = set(tile.greatest_w[i]);
+    const auto inside_from = set(-kEdgeError);
+    const int first_x = tile.x0[i] & -columns(d), first_y = tile.y0[i] & -rows(d);
+    for (int y = first_y; y <= tile.y1[i]; y += rows(d)) {
+        const auto py = hn::Add(set(float(y)), lane.y);
+        const auto row = [&](float gy, float c) { return hn::Add(hn::Mul(set(gy), py), set(c)); };
+        const auto r0 = row(tile.gy[0][i], tile.c[0][i]), r1 = row(tile.gy[1][i], tile.c[1][i]),
+                   r2 = row(tile.gy[2][i], tile.c[2][i]), rw = row(tile.wy[i], tile.wc[i]);
+        for (int x = first_x; x <= tile.x1[i]; x += columns(d)) {
+            const auto px = hn::Add(set(float(x)), lane.x);
+            const auto along = [&](auto g, auto r) { return hn::Add(hn::Mul(g, px), r); };
+            const auto least = hn::Min(along(gx0, r0), hn::Min(along(gx1, r1), along(gx2, r2)));
+            const auto inside = hn::Gt(least, inside_from);
+            float* at = tile.w.data() + tile.column_offset[x] + tile.row_offset[y];
+            const auto stored = hn::Load(d, at);
+            const auto w = between(d, along(wx, rw), least_w, greatest_w);
+            hn::Store(hn::IfThenElse(inside, hn::Max(w, stored), stored), d, at);
+        }
+    }
+}
+
+void raster_batch(DepthTile& tile, float x0, float y0)
+{
+    for (int i = 0; i < tile.count; i += int(hn::Lanes(hn::CappedTag<double, 8>())))
+        set_up_depth(tile, i, x0, y0);
+    for (int i = 0; i < tile.count; i += int(hn::Lanes(hn::CappedTag<float, 8>())))
+        set_up_tiny(tile, i);
+    // Sorted by kind without branches, which would often be guessed wrong.
+    std::uint8_t tiny[DepthTile::kBatch], larger[DepthTile::kBatch];
+    int tiny_count = 0, larger_count = 0;
+    for (int i = 0; i < tile.count; ++i) {
+        tiny[tiny_count] = larger[larger_count] = std::uint8_t(i);
+        tiny_count += tile.tiny[i] != 0;
+        larger_count += tile.tiny[i] == 0;
+    }
+    for (int k = 0; k < tiny_count; ++k) store_tiny(tile, tiny[k]);
+    for (int k = 0; k < larger_count; ++k) raster_triangle(tile, larger[k]);
+    tile.count = 0;
+}
+
+HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, DepthTile& tile)
+{
+    const int i = tile.count++;
+    const glm::uvec3 index = view.index[entry.triangle];
+    for (int k = 0; k < 3; ++k) {
+        const glm::vec4& p = view.corner[index[k]];
+        tile.corner[3 * k][i] = p.x;
+        tile.corner[3 * k + 1][i] = p.y;
+        tile.corner[3 * k + 2][i] = p.z;
+    }
+    tile.x0[i] = entry.x0, tile.y0[i] = entry.y0, tile.x1[i] = entry.x1, tile.y1[i] = entry.y1;
+}
+
+void raster_depths(
+    const ViewMemory& view, std::span<const TileEntry> entries, float x0, float y0, DepthTile& tile)
+{
+    std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
+    constexpr std::size_t kIndices = 24, kCorners = 12; // entries ahead
+    for (std::size_t n = 0; n < entries.size(); ++n) {
+        if (n + kIndices < entries.size())
+            hwy::Prefetch(&view.index[entries[n + kIndices].triangle]);
+        if (n + kCorners < entries.size()) {
+            const glm::uvec3& index = view.index[entries[n + kCorners].triangle];
+            for (int k = 0; k < 3; ++k) hwy::Prefetch(&view.corner[index[k]]);
+        }
+        gather(view, entries[n], tile);
+        if (tile.count == DepthTile::kBatch) raster_batch(tile, x0, y0);
+    }
+    raster_batch(tile, x0, y0);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(raster_depths);
+
+void resize(DepthTile& tile, int size)
+{
+    tile.size = size;
+    tile.w.resize(std::size_t(size) * std::size_t(size));
+    for (int k = 0; k < size; ++k) {
+        tile.column_offset[k] = tile_offset(k, 0, size);
+        tile.row_offset[k] = tile_offset(0, k, size);
+    }
+}
+
+void raster_depth(const ViewMemory& view, int tile, DepthTile& out)
+{
+    const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
+    const std::uint32_t first = view.tile_start[std::size_t(tile)];
+    const std::uint32_t last = view.tile_start[std::size_t(tile) + 1];
+    HWY_DYNAMIC_DISPATCH(raster_depths)
+    (view, view.entry.span().subspan(first, last - first),
+        float(view.pencil.x0 + tx * view.tile_size), float(view.pencil.y0 + ty * view.tile_size),
+        out);
+}
+
+} // namespace firsthit
+#endif

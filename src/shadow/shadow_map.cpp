@@ -1,0 +1,183 @@
+// shadow_map.cpp - depth as each light sees it, made by the rasteriser and kept from frame to frame.
+#include "shadow/shadow_map.h"
+
+#include "exact/hit.h"
+#include "shadow/merge_faces.h"
+#include "visibility/bins.h"
+#include "visibility/project.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace firsthit {
+namespace {
+
+constexpr int kTile = 64; // texels
+
+/// A rectangle of a map's texels.
+struct Part {
+    int x, y, width, height;
+};
+
+/// The least and greatest z of the vertices that count, in a parallel light's frame.
+struct DepthRange {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+};
+
+DepthRange depth_range(const World& world, const glm::dvec3& z)
+{
+    DepthRange range;
+    for (const glm::vec3& p : world.position) {
+        if (!usable(p)) continue;
+        const double depth = (z.x * double(p.x) + z.y * double(p.y)) + z.z * double(p.z);
+        range.least = std::min(range.least, depth);
+        range.greatest = std::max(range.greatest, depth);
+    }
+    return range;
+}
+
+/// How the map's rays run, apart from the rectangle that is rasterised.
+Pencil map_pencil(const World& world, const LightFrame& frame, int face, const MapFit& fit)
+{
+    const glm::dmat3 rows = glm::transpose(face_matrix(frame, face));
+    Pencil pencil;
+    pencil.f = 1 / fit.texel;
+    if (!frame.parallel) {
+        // Sheared: the rectangle's middle becomes the axis, so that numbers stay small.
+        pencil.eye = frame.origin;
+        pencil.eye_from_world =
+            glm::transpose(glm::dmat3(pencil.f * (rows[0] - fit.middle_x * rows[2]),
+                pencil.f * (rows[1] - fit.middle_y * rows[2]), rows[2]));
+        return pencil;
+    }
+    const DepthRange range = depth_range(world, rows[2]);
+    // Depths from 0 to d become 1/t from 2 d down to d: all are as precise.
+    const double wide = fit.texel * std::max(fit.width, fit.height);
+    const double deep = std::max(range.greatest - range.least, wide * 0x1p-10);
+    pencil.parallel = true;
+    pencil.far = 2 * deep;
+    pencil.eye = rows[0] * fit.middle_x + rows[1] * fit.middle_y + rows[2] * range.least;
+    pencil.eye_from_world =
+        glm::transpose(glm::dmat3(pencil.f * rows[0], pencil.f * rows[1], rows[2]));
+    return pencil;
+}
+
+/// Rasterises a part of the map; halves of it where it is too large or meets too many triangles.
+void raster_part(
+    const World& world, const Part& part, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
+{
+    ViewMemory& view = maps.view;
+    const int longest = std::max(part.width, part.height);
+    bool seen = longest <= kMaxPencil;
+    if (seen) {
+        view.tile_size = kTile;
+        view.pencil.width = part.width;
+        view.pencil.height = part.height;
+        view.pencil.x0 = part.x + 0.5 - 0.5 * map.width();
+        view.pencil.y0 = part.y + 0.5 - 0.5 * map.height();
+        view.tiles_x = (part.width + kTile - 1) / kTile;
+        view.tiles_y = (part.height + kTile - 1) / kTile;
+        view.tile_of.resize(std::size_t(longest));
+        for (int k = 0; k < longest; ++k) view.tile_of[std::size_t(k)] = std::uint8_t(k / kTile);
+        project_vertices(world.position, view, tasks);
+        seen = bin_triangles(world.scene->index, view, tasks);
+    }
+    if (!seen) {
+        const bool wide = part.width >= part.height;
+        const int cut = (longest / kTile + 1) / 2 * kTile;
+        const Part first{part.x, part.y, wide ? cut : part.width, wide ? part.height : cut};
+        const Part second{wide ? part.x + cut : part.x, wide ? part.y : part.y + cut,
+            wide ? part.width - cut : part.width, wide ? part.height : part.height - cut};
+        for (const Part& half : {first, second}) raster_part(world, half, maps, map, tasks);
+        return;
+    }
+    tasks.for_each(std::size_t(view.tiles()), [&](std::size_t tile, std::size_t worker) {
+        DepthTile& depth = maps.workers[worker]->tile;
+        raster_depth(view, int(tile), depth);
+        const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
+        store_depth(depth, view.pencil,
+            {&map.depth[quad_offset(part.x + x, part.y + y, map.width())], quads(map.width()),
+                std::min(kTile, part.width - x), std::min(kTile, part.height - y)});
+    });
+}
+
+void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
+{
+    const LightFrame& frame = map.source.frame;
+    const Pencil pencil = map_pencil(world, frame, face, map.source.fit);
+    const glm::dvec3 middle(0.5 * map.width(), 0.5 * map.height(), 0);
+    map.origin = pencil.eye;
+    map.matrix = pencil.eye_from_world;
+    map.offset = glm::dvec3(0);
+    if (frame.parallel) {
+        map.offset = middle;
+    } else {
+        glm::dmat3 rows = glm::transpose(map.matrix);
+        rows[0] += middle.x * rows[2];
+        rows[1] += middle.y * rows[2];
+        map.matrix = glm::transpose(rows);
+    }
+    map.depth.resize(
+        std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels);
+    maps.view.pencil = pencil;
+    raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
+    ++maps.updates;
+}
+
+void update_light(const World& world, const Settings& settings, std::size_t number,
+    ShadowMaps& maps, Tasks& tasks)
+{
+    ShadowLight& light = maps.light[number];
+    LightBounds bounds;
+    for (std::size_t face = 0; face < bounds.size(); ++face)
+        for (const auto& worker : maps.workers) bounds[face].add(worker->bounds[number][face]);
+    merge_faces(bounds);
+    for (int face = 0; face < kFaces; ++face) {
+        ShadowMap& map = light.map[std::size_t(face)];
+        const MapSource wanted{light.frame,
+            map_fit(bounds[std::size_t(face)], settings.shadow_map_size, settings.shadow_filter),
+            maps.geometry.version};
+        maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
+        if (wanted == map.source) continue;
+        map.source = wanted;
+        if (wanted.fit.width > 0) make_map(world, face, maps, map, tasks);
+    }
+}
+
+} // namespace
+
+void start_maps(const World& world, int threads, ShadowMaps& maps)
+{
+    maps.light.resize(world.lights.size());
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        maps.light[light].frame = light_frame(world.lights[light]);
+    while (int(maps.workers.size()) < threads) {
+        maps.workers.push_back(std::make_unique<ShadowMaps::Worker>());
+        resize(maps.workers.back()->tile, kTile);
+    }
+    for (const auto& worker : maps.workers)
+        worker->bounds.assign(world.lights.size(), LightBounds{});
+}
+
+void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker)
+{
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
+}
+
+void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks)
+{
+    maps.filter = settings.shadow_filter;
+    maps.bias = settings.shadow_bias;
+    maps.texels = 0;
+    if (maps.light.empty()) return;
+    follow(world, maps.geometry, tasks);
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        update_light(world, settings, light, maps, tasks);
+}
+
+} // namespace firsthit

@@ -1,0 +1,39 @@
+// store_depth.h - how the texels of a map are laid out, and from a rasterised tile to the map.
+//
+// A map is made of quads of 4x4 texels, row by row, as the quads of a tile are (base/tile_order.h):
+// a quad is one cache line, and neighbouring hits look at few of them. The last quads of a row and
+// of a column may be filled in part.
+#pragma once
+
+#include "shadow/raster_depth.h"
+
+#include <cstddef>
+
+namespace firsthit {
+
+inline constexpr int kQuadTexels = 16;
+
+/// Quads that hold so many texels in a row.
+constexpr int quads(int texels)
+{
+    return (texels + 3) / 4;
+}
+
+/// Where texel (x, y) of a map that is `width` texels wide is in memory.
+constexpr std::size_t quad_offset(int x, int y, int width)
+{
+    return (std::size_t(y / 4) * std::size_t(quads(width)) + std::size_t(x / 4)) * kQuadTexels +
+           std::size_t(y % 4 * 4 + x % 4);
+}
+
+/// A rectangle of a map that starts at a quad and lies inside one tile.
+struct MapWindow {
+    float* depth;      // of its first texel
+    int quads_x;       // of the map
+    int width, height; // texels
+};
+
+/// Turns the tile's 1/t into depth (+inf where nothing is) and writes it.
+void store_depth(const DepthTile& tile, const Pencil& pencil, const MapWindow& window);
+
+} // namespace firsthit
