@@ -17,7 +17,7 @@ namespace firsthit {
 struct ShadeLight {
     Light::Kind kind = Light::Kind::point;
     glm::vec3 color{1};
-    glm::vec3 position{0}; // point
+    glm::vec3 position{0}; // point, spot
     glm::vec3 to_light{0}; // directional: unit
     SpotCone cone{};       // spot
 };
@@ -25,9 +25,9 @@ struct ShadeLight {
 inline ShadeLight shade_light(const Light& light)
 {
     ShadeLight shade{.kind = light.kind, .color = light.color};
+    shade.position = glm::vec3(light.position);
     switch (light.kind) {
     case Light::Kind::point:
-        shade.position = glm::vec3(light.position);
         break;
     case Light::Kind::spot:
         shade.cone = spot_cone(light);

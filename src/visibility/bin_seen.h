@@ -57,7 +57,7 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
 {
     constexpr std::uint64_t kManyCopies = std::uint64_t(1) << 24; // beyond four a triangle: 400 MB
     const Shares shares(ranges.size(), std::size_t(tasks.threads()));
-    out.cursor.resize(shares.count * bins);
+    out.cursor.resize(shares.count * bins, shares.count * bins + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &out.cursor[share * bins];
         std::fill_n(counts, bins, 0u);
@@ -67,7 +67,7 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
     });
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
     if (total > kManyCopies + 4 * from.size() && bins > 1) return false;
-    out.triangles.resize(total, total / 4 + 4096);
+    out.triangles.resize(total, total / 2 + from.size()); // moving scenes need more now and then
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
         SeenTriangle* to = out.triangles.data();

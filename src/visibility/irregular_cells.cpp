@@ -9,7 +9,7 @@ namespace firsthit {
 std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint32_t>& cursor,
     Buffer<std::uint32_t>& start)
 {
-    start.resize(bins + 1);
+    start.resize(bins + 1, bins + 1024);
     std::uint64_t next = 0;
     for (std::size_t bin = 0; bin < bins; ++bin) {
         start[bin] = std::uint32_t(next);
@@ -78,7 +78,7 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
     const CellGrid grid = cells.grid;
     const std::size_t count = std::size_t(grid.cells());
     const Shares shares(ranges.size(), std::size_t(tasks.threads()));
-    cells.cursor.resize(shares.count * count);
+    cells.cursor.resize(shares.count * count, shares.count * count + 4096);
     cells.cell_of.resize(from.size() + 16);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &cells.cursor[share * count];
@@ -92,7 +92,7 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
         }
     });
     const std::uint64_t total = start_bins(shares.count, count, cells.cursor, cells.sample_start);
-    cells.samples.resize(total, total / 4 + 4096);
+    cells.samples.resize(total, from.size() - std::min(from.size(), std::size_t(total)));
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &cells.cursor[share * count];
         for (const SampleRange& range : shares.of(ranges, share)) {

@@ -74,9 +74,9 @@ void copy_samples(
     const hn::RebindToUnsigned<Group> du;
     const std::size_t lanes = hn::Lanes(d);
     const std::size_t padded = (samples.size() + kGroup - 1) / kGroup * kGroup;
-    for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(padded, 4096);
-    leaf.item.resize(padded, 4096);
-    leaf.shadowed.resize(padded / kGroup, 256);
+    for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(padded);
+    leaf.item.resize(padded);
+    leaf.shadowed.resize(padded / kGroup);
     std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
     const auto xm = hn::Set(d, float(leaf.middle_x)), ym = hn::Set(d, float(leaf.middle_y));
     const auto copy = [&](const IrregularSample* from, std::size_t to) {
@@ -126,7 +126,7 @@ void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
 {
     const std::size_t groups = leaf.shadowed.size();
     const std::size_t chunks = (groups + kTableBoxes - 1) / kTableBoxes;
-    leaf.table.resize(chunks, 16);
+    leaf.table.resize(chunks);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         OverlapTable& table = leaf.table[chunk];
         table = {};
@@ -333,6 +333,15 @@ HWY_AFTER_NAMESPACE();
 namespace firsthit {
 
 HWY_EXPORT(test_samples);
+
+void reserve(LeafMemory& memory, std::size_t samples)
+{
+    const std::size_t padded = std::bit_ceil(samples + kGroup); // seldom more than before
+    for (auto* values : {&memory.x, &memory.y, &memory.w}) values->resize(padded);
+    memory.item.resize(padded);
+    memory.shadowed.resize(padded / kGroup);
+    memory.table.resize(padded / kGroup / kTableBoxes + 1);
+}
 
 void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,

@@ -75,6 +75,9 @@ struct LeafMemory {
     double least_corner = 0, largest_corner = 0; // the same, for a triangle's corner at distance 1
 };
 
+/// Room for cells of so many samples.
+void reserve(LeafMemory& memory, std::size_t samples);
+
 /// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is
 /// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
 void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,

@@ -27,6 +27,12 @@ void sort(std::span<const IrregularSample> samples, std::span<const SampleRange>
     sort_samples(samples, sample_ranges, cells, tasks);
 }
 
+bool is_divided(const IrregularCells& cells, std::size_t cell)
+{
+    return cells.samples_of(cell).size() > kManySamples &&
+           cells.seen.of(cell).size() > kManyTriangles;
+}
+
 /// A cell by itself, or divided into smaller ones.
 void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t cell, int level,
     const LightPoints& points, CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
@@ -34,8 +40,7 @@ void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t c
     const auto samples = cells.samples_of(cell);
     const auto triangles = cells.seen.of(cell);
     if (samples.empty() || triangles.empty()) return;
-    if (level == kCellLevels || samples.size() <= kManySamples ||
-        triangles.size() <= kManyTriangles) {
+    if (level == kCellLevels || !is_divided(cells, cell)) {
         test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
         return;
     }
@@ -110,6 +115,32 @@ Loose split_patches(
     return left;
 }
 
+/// Every worker gets room for the largest patch and cell, whoever takes which.
+void prepare_workers(IrregularMemory& memory, int threads)
+{
+    while (int(memory.workers.size()) < threads)
+        memory.workers.push_back(std::make_unique<CellWorker>());
+    std::size_t samples = kManySamples, triangles = 0; // of the largest that is tested, divided
+    for (const SamplePatch& patch : memory.patches.patches.span())
+        samples = std::max(samples, patch.range.count);
+    std::size_t divided = 0;
+    for (std::size_t cell = 0; cell < std::size_t(memory.cells.grid.cells()); ++cell) {
+        const std::size_t count = memory.cells.samples_of(cell).size();
+        samples = std::max(samples, count);
+        if (!is_divided(memory.cells, cell)) continue;
+        divided = std::max(divided, count);
+        triangles = std::max(triangles, memory.cells.seen.of(cell).size());
+    }
+    for (const auto& worker : memory.workers) {
+        reserve(worker->leaf, samples);
+        IrregularCells& inner = worker->level[0];
+        inner.samples.resize(divided, divided / 4);
+        inner.cell_of.resize(divided + 16, divided / 4);
+        inner.rect_of.resize(triangles + 16, triangles / 4);
+        inner.seen.triangles.resize(2 * triangles, triangles);
+    }
+}
+
 } // namespace
 
 void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
@@ -140,8 +171,7 @@ void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
 void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
     Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
-    while (int(memory.workers.size()) < tasks.threads())
-        memory.workers.push_back(std::make_unique<CellWorker>());
+    prepare_workers(memory, tasks.threads());
     tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
         const SampleRange& range = memory.covered[k];
         for (const IrregularSample& sample : memory.samples.subspan(range.first, range.count))
