@@ -74,7 +74,7 @@ struct Picture {
             runs.emplace_back();
             for (std::uint32_t block = 0; block < 64; ++block)
                 for (const std::uint64_t mask : masks) {
-                    runs.back().push_back({triangle, block, mask});
+                    runs.back().push_back({triangle, static_cast<std::uint16_t>(block), 0, mask});
                     scene.index.emplace_back(triangle / 2, triangle / 2 + 1, triangle / 2 + 7);
                     ++triangle;
                 }
