@@ -52,9 +52,10 @@ ShadowEffort take_effort(ShadowMemory& memory);
 /// Room for what the workers need.
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
 
-/// Tests the samples of all chunks: memory.shadowed of those that are. memory.mesh, samples and
+/// Tests the samples of all chunks: shadowed[id] = 1 for those that are. memory.mesh, samples and
 /// parts are filled in.
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks);
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed);
 
 /// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
 /// a tile's light belongs to its block k.

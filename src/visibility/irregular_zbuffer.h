@@ -3,7 +3,7 @@
 //
 // Points that came together and lie together stay together: a patch. The other points of a face are
 // sorted into the cells of a grid. A cell with many points is divided again, so that points that
-// crowd together cost little more than others. A patch behind one large triangle is done at once. Triangles are sorted into the same patches and cells,
+// crowd together cost little more than others. A patch or cell behind one large triangle is done at once. Triangles are sorted into the same patches and cells,
 // where every group of sixteen points meets the triangles whose box touches it.
 //
 // source  Johnson et al. 2005, "The Irregular Z-Buffer: Hardware Acceleration for Irregular Data
@@ -12,6 +12,7 @@
 #pragma once
 
 #include "visibility/irregular_cells.h"
+#include "visibility/irregular_covers.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_patches.h"
 
@@ -33,6 +34,7 @@ struct CellWorker {
 /// Kept from frame to frame.
 struct IrregularMemory {
     std::span<const IrregularSample> samples;
+    CoverList covers;
     PatchMemory patches;
     IrregularCells cells;
     Buffer<SamplePatch> open;    // patches that are not
