@@ -9,7 +9,7 @@
 namespace firsthit {
 namespace {
 
-constexpr std::size_t kChunk = 4096; // points
+constexpr std::size_t kChunk = 1024; // points: small enough for many to lie behind one wall
 
 class GivenPoints : public LightPoints {
   public:

@@ -124,12 +124,21 @@ void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
     const std::size_t groups = leaf.shadowed.size();
     const std::size_t chunks = (groups + kTableBoxes - 1) / kTableBoxes;
     leaf.table.resize(chunks);
+    for (auto* values : {&leaf.group_x, &leaf.group_y, &leaf.reach_x, &leaf.reach_y})
+        values->resize(chunks * kTableBoxes);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         OverlapTable& table = leaf.table[chunk];
         table = {};
         const std::size_t first = chunk * kTableBoxes, last = std::min(groups, first + kTableBoxes);
-        for (std::size_t group = first; group < last; ++group)
-            table.add(int(group - first), bounds_of_group(leaf, group), slots);
+        for (std::size_t group = first; group < last; ++group) {
+            const SampleBounds box = bounds_of_group(leaf, group);
+            table.add(int(group - first), box, slots);
+            const float x = 0.5f * (box.x0 + box.x1), y = 0.5f * (box.y0 + box.y1);
+            leaf.group_x[group] = x;
+            leaf.group_y[group] = y;
+            leaf.reach_x[group] = std::max(box.x1 - x, x - box.x0) * (1 + 0x1p-20f);
+            leaf.reach_y[group] = std::max(box.y1 - y, y - box.y0) * (1 + 0x1p-20f);
+        }
         table.finish();
     }
 }
@@ -160,13 +169,13 @@ struct CellTest {
 };
 
 /// The items of a group's samples, fetched when first asked for: most groups never are.
-HWY_INLINE const std::uint32_t* items_of(
-    const CellTest& cell, std::size_t group, LeafMemory& leaf)
+HWY_INLINE const std::uint32_t* items_of(const CellTest& cell, std::size_t group, LeafMemory& leaf)
 {
     std::uint32_t* items = leaf.item.data() + group * kGroup;
     if (leaf.has_item[group]) return items;
     leaf.has_item[group] = 1;
-    const std::size_t first = group * kGroup, count = std::min<std::size_t>(kGroup, leaf.count - first);
+    const std::size_t first = group * kGroup,
+                      count = std::min<std::size_t>(kGroup, leaf.count - first);
     for (std::size_t k = 0; k < kGroup; ++k)
         items[k] = cell.points.item && k < count ? cell.points.item[cell.samples[first + k].id]
                                                  : 0xFFFFFFFFu;
@@ -211,8 +220,7 @@ HWY_INLINE void test_groups(
             // Also where `ahead` is no number.
             const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
             if (hn::AllFalse(d, maybe)) continue;
-            const auto other =
-                hn::RebindMask(
+            const auto other = hn::RebindMask(
                 d, hn::Ne(hn::Load(du, items_of(cell, group, leaf) + part), triangle));
             const auto certain =
                 hn::And(hn::And(hn::Gt(least, inside_from), hn::Gt(ahead, shadowed_from)), other);
@@ -230,8 +238,36 @@ HWY_INLINE void test_groups(
     }
 }
 
+/// The groups of a chunk that no edge of triangle i leaves out: for a triangle whose box holds many
+/// groups, as a needle's across the cell.
+HWY_INLINE std::uint64_t groups_inside(
+    const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, const LeafMemory& leaf)
+{
+    const Group d;
+    const LeafBatch& batch = leaf.batch;
+    const auto outside_below = hn::Set(d, -2 * cell.edge_error);
+    std::uint64_t inside = 0;
+    for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
+        const std::size_t at = chunk * kTableBoxes + k;
+        const auto x = hn::Load(d, leaf.group_x.data() + at),
+                   y = hn::Load(d, leaf.group_y.data() + at);
+        const auto rx = hn::Load(d, leaf.reach_x.data() + at),
+                   ry = hn::Load(d, leaf.reach_y.data() + at);
+        auto most = hn::Set(d, 1.0f);
+        for (int e = 0; e < 3; ++e) {
+            const auto gx = hn::Set(d, batch.gx[e][i]), gy = hn::Set(d, batch.gy[e][i]);
+            const auto middle = hn::MulAdd(gx, x, hn::MulAdd(gy, y, hn::Set(d, batch.c[e][i])));
+            const auto reach = hn::MulAdd(hn::Abs(gx), rx, hn::Mul(hn::Abs(gy), ry));
+            most = hn::Min(most, hn::Add(middle, reach));
+        }
+        inside |= bits(d, hn::Not(hn::Lt(most, outside_below))) << k;
+    }
+    return groups & inside;
+}
+
 void test_batch(const CellTest& cell, LeafMemory& leaf)
 {
+    constexpr int kManyGroups = 12;
     const hn::CappedTag<double, 8> d;
     LeafBatch& batch = leaf.batch;
     gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
@@ -239,8 +275,10 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
         set_up_leaf_lanes(d, cell.mesh.space.directional, leaf, i);
     for (int i = 0; i < batch.count; ++i) {
         for (std::size_t chunk = 0; chunk < leaf.table.size(); ++chunk) {
-            if (const std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]))
-                test_groups(cell, i, chunk, groups, leaf);
+            std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]);
+            if (std::popcount(groups) >= kManyGroups)
+                groups = groups_inside(cell, i, chunk, groups, leaf);
+            if (groups) test_groups(cell, i, chunk, groups, leaf);
         }
     }
     leaf.counts.triangles += std::uint64_t(batch.count);
@@ -323,8 +361,7 @@ void test_triangles(const CellTest& cell, const LeafWork& work, LeafMemory& leaf
     // Boxes as offsets from the middle, like the samples.
     const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
     const SampleBounds& b = leaf.bounds;
-    const BoxSlots slots(
-        {b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
+    const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);
 
     for (const SeenTriangle& seen : work.first)
@@ -345,8 +382,7 @@ void test_triangles(const CellTest& cell, const LeafWork& work, LeafMemory& leaf
             SeenSlots reach;
             for (int side = 0; side < 5; ++side)
                 reach.slot[side] = std::uint8_t(seen.slot[side][k]);
-            if (meets_groups(leaf, reach))
-                add_to_batch(cell, some[k].triangle, reach, leaf);
+            if (meets_groups(leaf, reach)) add_to_batch(cell, some[k].triangle, reach, leaf);
         }
     }
     test_batch(cell, leaf);
@@ -385,6 +421,8 @@ void reserve(LeafMemory& memory, std::size_t samples)
     memory.has_item.resize(padded / kGroup);
     memory.shadowed.resize(padded / kGroup);
     memory.table.resize(padded / kGroup / kTableBoxes + 1);
+    for (auto* values : {&memory.group_x, &memory.group_y, &memory.reach_x, &memory.reach_y})
+        values->resize(memory.table.size() * kTableBoxes);
 }
 
 void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,

@@ -60,10 +60,12 @@ struct LeafBatch {
 
 /// One worker's memory, and its samples while it is at a cell.
 struct LeafMemory {
-    Buffer<float> x, y, w; // offsets from the middle; whole groups
+    Buffer<float> x, y, w;          // offsets from the middle; whole groups
     Buffer<std::uint32_t> item;     // of the groups whose has_item is set
     Buffer<std::uint8_t> has_item;  // (groups)
     Buffer<std::uint16_t> shadowed; // (groups) a bit for each sample
+    Buffer<float> group_x, group_y; // (groups) middle of each group
+    Buffer<float> reach_x, reach_y; // (groups) how far its samples lie from there, at most
     Buffer<OverlapTable> table;     // (chunks) of 64 groups
     LeafBatch batch;
     ShadowCounts counts;

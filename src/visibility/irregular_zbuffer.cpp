@@ -10,17 +10,17 @@ constexpr std::size_t kManyTriangles = 128; // where there are more than these t
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
-void sort(std::span<const IrregularSample> samples, std::span<const SampleRange> sample_ranges,
-    std::size_t sample_count, std::span<const SeenTriangle> triangles,
-    std::span<const SampleRange> triangle_ranges, const SampleBounds& bounds, IrregularCells& cells,
-    Tasks& tasks)
+void sort(const LightMesh& mesh, std::span<const IrregularSample> samples,
+    std::span<const SampleRange> sample_ranges, std::size_t sample_count,
+    std::span<const SeenTriangle> triangles, std::span<const SampleRange> triangle_ranges,
+    const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
 {
     cells.bounds = bounds;
     if (sample_count == 0) triangle_ranges = {};
     std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
         cells.grid = cell_grid(bounds, wanted);
-        if (sort_triangles(triangles, triangle_ranges, cells, tasks)) break;
+        if (sort_triangles(mesh, triangles, triangle_ranges, cells, tasks)) break;
     }
     sort_samples(samples, sample_ranges, cells, tasks);
 }
@@ -55,8 +55,8 @@ void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCe
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
-    sort(samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1},
-        bounds, inner, serial);
+    sort(mesh, samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1}, bounds,
+        inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
         test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
         return;
@@ -173,8 +173,8 @@ void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
         loose = split_patches(bounds, count, false, memory);
         bin_patches(triangles, ranges, bounds, memory.patches, tasks);
     }
-    sort(samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds, memory.cells,
-        tasks);
+    sort(mesh, samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds,
+        memory.cells, tasks);
 }
 
 void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
