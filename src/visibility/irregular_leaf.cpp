@@ -89,7 +89,7 @@ HWY_INLINE void add_to_batch(
 void test_triangles(const CellTest& cell, const LeafWork& work, LeafMemory& leaf)
 {
     // Boxes as offsets from the middle, like the samples.
-    const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
+    const float xm = leaf.middle_x, ym = leaf.middle_y;
     const SampleBounds& b = leaf.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);

@@ -74,7 +74,7 @@ struct LeafMemory {
     std::size_t count = 0;
     SampleBounds bounds;
     float largest_w = 0; // the largest size of a w
-    double middle_x = 0, middle_y = 0;
+    float middle_x = 0, middle_y = 0;
     double half_x = 0, half_y = 0;               // largest offsets
     double error_x = 0, error_y = 0;             // of a sample's place
     double least_margin = 0, largest_margin = 0; // in units of w times the plane's distance

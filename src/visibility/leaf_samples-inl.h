@@ -30,9 +30,9 @@ inline void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMe
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
-    // A float, so that the offsets are single roundings.
-    leaf.middle_x = float(0.5 * (double(b.x0) + double(b.x1)));
-    leaf.middle_y = float(0.5 * (double(b.y0) + double(b.y1)));
+    // Floats, so that the offsets are single roundings.
+    leaf.middle_x = 0.5f * b.x0 + 0.5f * b.x1;
+    leaf.middle_y = 0.5f * b.y0 + 0.5f * b.y1;
     const bool directional = mesh.space.directional;
     leaf.error_x = directional ? 0 : 0x1p-24 * most_x;
     leaf.error_y = directional ? 0 : 0x1p-24 * most_y;
@@ -54,11 +54,12 @@ inline void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMe
         least = 2 + reach * std::max(0.0, double(b.farthest_w));
         most = 2 + reach * double(leaf.largest_w);
     }
-    leaf.least_margin = double(kShadowMargin) * least * (1 - 0x1p-20);
-    leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20);
     // And of the corners: corner_margin, over c as well.
     const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
                  most_w = directional ? 1 : double(leaf.largest_w);
+    const double underflow = kMarginUnderflow * most_w;
+    leaf.least_margin = std::max(0.0, double(kShadowMargin) * least * (1 - 0x1p-20) - underflow);
+    leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20) + underflow;
     leaf.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
     leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
@@ -75,7 +76,7 @@ inline void copy_samples(std::span<const IrregularSample> samples, LeafMemory& l
     leaf.has_item.resize(padded / kGroup);
     leaf.shadowed.resize(padded / kGroup);
     std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
-    const auto xm = hn::Set(d, float(leaf.middle_x)), ym = hn::Set(d, float(leaf.middle_y));
+    const auto xm = hn::Set(d, leaf.middle_x), ym = hn::Set(d, leaf.middle_y);
     const auto copy = [&](const IrregularSample* from, std::size_t to) {
         auto x = xm, y = xm, w = xm, id = xm;
         hn::LoadInterleaved4(d, &from->x, x, y, w, id);
