@@ -68,7 +68,8 @@ struct IrregularCells {
 void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
-/// Copies each triangle that may shadow a sample to all cells that its box meets, see bin_seen.
+/// Copies each triangle that may shadow a sample to all cells that its box meets. Returns what
+/// bin_seen does.
 bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
