@@ -17,7 +17,11 @@ namespace {
 /// The points behind the ids: number of a sample in all tiles.
 class HitPoints : public LightPoints {
   public:
-    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh) : tiles_(tiles), mesh_(mesh) {}
+    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh) : tiles_(tiles), mesh_(mesh)
+    {
+        item = tiles[0].item;
+        ids_rise = true;
+    }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
@@ -86,7 +90,8 @@ ShadowEffort take_effort(ShadowMemory& memory)
     return std::exchange(memory.effort, {});
 }
 
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
+void test_chunks(
+    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     const std::size_t chunks = memory.patches.size();
     ShadowEffort& effort = memory.effort;
@@ -108,7 +113,7 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
             memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
-        test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
+        test_face(memory.mesh, points, memory.irregular, tasks, shadowed);
         effort.test_ms += watch.lap_ms();
     }
 }
@@ -142,7 +147,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         memory.effort.collect_ms += watch.lap_ms();
-        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks);
+        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
         watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
             remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,

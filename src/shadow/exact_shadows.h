@@ -52,10 +52,11 @@ ShadowEffort take_effort(ShadowMemory& memory);
 /// Room for what the workers need.
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
 
-/// Tests the samples of all chunks: memory.shadowed[id] = 1 where a triangle shadows one. A chunk is
-/// the points that were collected together: those of a tile, or consecutive ones that are no pixels.
-/// memory.mesh, samples and parts are filled in.
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks);
+/// Tests the samples of all chunks: shadowed[id] = 1 for those that a triangle shadows. A chunk is
+/// the points that were collected together: those of a tile, or some that are no pixels. memory.mesh,
+/// samples and parts are filled in.
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed);
 
 /// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
 /// a tile's light belongs to its block k.

@@ -94,14 +94,20 @@ bool shadows_box(const LightMesh& mesh, std::uint32_t triangle, const SampleBoun
     return true;
 }
 
-/// Whether a sample of the patch lies on the triangle. Its ids rise, so all lie between two.
+/// Whether one of the samples lies on the triangle.
 bool is_item(
     std::uint32_t triangle, std::span<const IrregularSample> samples, const LightPoints& points)
 {
     if (!points.item) return false;
     bool found = false;
-    for (std::size_t id = samples.front().id; id <= samples.back().id; ++id)
-        found |= points.item[id] == triangle;
+    const std::size_t between = samples.back().id - std::size_t(samples.front().id);
+    if (points.ids_rise && between < 4 * samples.size()) {
+        // All lie between two: no need to look at each sample.
+        for (std::size_t id = samples.front().id; id <= samples.back().id; ++id)
+            found |= points.item[id] == triangle;
+    } else {
+        for (const IrregularSample& sample : samples) found |= points.item[sample.id] == triangle;
+    }
     return found;
 }
 
@@ -131,10 +137,9 @@ CoverList find_covers(
     return covers;
 }
 
-bool is_covered(const LightMesh& mesh, const CoverList& covers, const SamplePatch& patch,
+bool is_covered(const LightMesh& mesh, const CoverList& covers, const SampleBounds& b,
     std::span<const IrregularSample> samples, const LightPoints& points)
 {
-    const SampleBounds& b = patch.bounds;
     if (!std::isfinite(b.farthest_w) || !std::isfinite(b.nearest_w)) return false;
     for (int k = 0; k < covers.count; ++k) {
         const SeenTriangle& seen = covers.triangle[std::size_t(k)];

@@ -22,10 +22,9 @@ namespace {
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
+void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMemory& leaf)
 {
-    leaf.count = samples.size();
-    leaf.bounds = bounds_of(samples);
+    leaf.bounds = bounds;
     leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
                                                   std::abs(leaf.bounds.nearest_w))
                                             : leaf.bounds.nearest_w;
@@ -67,15 +66,14 @@ void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples,
 
 /// Copies the samples as offsets from the middle, whole groups. What fills up the last group is
 /// infinitely near to the light.
-void copy_samples(
-    std::span<const IrregularSample> samples, const std::uint32_t* item, LeafMemory& leaf)
+void copy_samples(std::span<const IrregularSample> samples, LeafMemory& leaf)
 {
     const Group d;
-    const hn::RebindToUnsigned<Group> du;
     const std::size_t lanes = hn::Lanes(d);
     const std::size_t padded = (samples.size() + kGroup - 1) / kGroup * kGroup;
     for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(padded);
     leaf.item.resize(padded);
+    leaf.has_item.resize(padded / kGroup);
     leaf.shadowed.resize(padded / kGroup);
     std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
     const auto xm = hn::Set(d, float(leaf.middle_x)), ym = hn::Set(d, float(leaf.middle_y));
@@ -85,7 +83,6 @@ void copy_samples(
         hn::Store(hn::Sub(x, xm), d, leaf.x.data() + to);
         hn::Store(hn::Sub(y, ym), d, leaf.y.data() + to);
         hn::Store(w, d, leaf.w.data() + to);
-        hn::Store(hn::BitCast(du, id), du, leaf.item.data() + to);
     };
     std::size_t k = 0;
     for (; k + lanes <= samples.size(); k += lanes) copy(&samples[k], k);
@@ -97,7 +94,7 @@ void copy_samples(
         }
         copy(last, k);
     }
-    for (std::size_t i = 0; i < padded; ++i) leaf.item[i] = item ? item[leaf.item[i]] : 0xFFFFFFFFu;
+    std::fill_n(leaf.has_item.data(), padded / kGroup, std::uint8_t(0));
 }
 
 SampleBounds bounds_of_group(const LeafMemory& leaf, std::size_t group)
@@ -127,12 +124,21 @@ void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
     const std::size_t groups = leaf.shadowed.size();
     const std::size_t chunks = (groups + kTableBoxes - 1) / kTableBoxes;
     leaf.table.resize(chunks);
+    for (auto* values : {&leaf.group_x, &leaf.group_y, &leaf.reach_x, &leaf.reach_y})
+        values->resize(chunks * kTableBoxes);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
         OverlapTable& table = leaf.table[chunk];
         table = {};
         const std::size_t first = chunk * kTableBoxes, last = std::min(groups, first + kTableBoxes);
-        for (std::size_t group = first; group < last; ++group)
-            table.add(int(group - first), bounds_of_group(leaf, group), slots);
+        for (std::size_t group = first; group < last; ++group) {
+            const SampleBounds box = bounds_of_group(leaf, group);
+            table.add(int(group - first), box, slots);
+            const float x = 0.5f * (box.x0 + box.x1), y = 0.5f * (box.y0 + box.y1);
+            leaf.group_x[group] = x;
+            leaf.group_y[group] = y;
+            leaf.reach_x[group] = std::max(box.x1 - x, x - box.x0) * (1 + 0x1p-20f);
+            leaf.reach_y[group] = std::max(box.y1 - y, y - box.y0) * (1 + 0x1p-20f);
+        }
         table.finish();
     }
 }
@@ -161,6 +167,20 @@ struct CellTest {
     const LightPoints& points;
     float edge_error;
 };
+
+/// The items of a group's samples, fetched when first asked for: most groups never are.
+HWY_INLINE const std::uint32_t* items_of(const CellTest& cell, std::size_t group, LeafMemory& leaf)
+{
+    std::uint32_t* items = leaf.item.data() + group * kGroup;
+    if (leaf.has_item[group]) return items;
+    leaf.has_item[group] = 1;
+    const std::size_t first = group * kGroup,
+                      count = std::min<std::size_t>(kGroup, leaf.count - first);
+    for (std::size_t k = 0; k < kGroup; ++k)
+        items[k] = cell.points.item && k < count ? cell.points.item[cell.samples[first + k].id]
+                                                 : 0xFFFFFFFFu;
+    return items;
+}
 
 /// Triangle i of the batch against the given groups of a chunk.
 HWY_INLINE void test_groups(
@@ -200,8 +220,8 @@ HWY_INLINE void test_groups(
             // Also where `ahead` is no number.
             const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
             if (hn::AllFalse(d, maybe)) continue;
-            const auto other =
-                hn::RebindMask(d, hn::Ne(hn::Load(du, leaf.item.data() + k), triangle));
+            const auto other = hn::RebindMask(
+                d, hn::Ne(hn::Load(du, items_of(cell, group, leaf) + part), triangle));
             const auto certain =
                 hn::And(hn::And(hn::Gt(least, inside_from), hn::Gt(ahead, shadowed_from)), other);
             const std::uint32_t hit = std::uint32_t(bits(d, certain)) << part;
@@ -218,8 +238,36 @@ HWY_INLINE void test_groups(
     }
 }
 
+/// The groups of a chunk that no edge of triangle i leaves out: for a triangle whose box holds many
+/// groups, as a needle's across the cell.
+HWY_INLINE std::uint64_t groups_inside(
+    const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, const LeafMemory& leaf)
+{
+    const Group d;
+    const LeafBatch& batch = leaf.batch;
+    const auto outside_below = hn::Set(d, -2 * cell.edge_error);
+    std::uint64_t inside = 0;
+    for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
+        const std::size_t at = chunk * kTableBoxes + k;
+        const auto x = hn::Load(d, leaf.group_x.data() + at),
+                   y = hn::Load(d, leaf.group_y.data() + at);
+        const auto rx = hn::Load(d, leaf.reach_x.data() + at),
+                   ry = hn::Load(d, leaf.reach_y.data() + at);
+        auto most = hn::Set(d, 1.0f);
+        for (int e = 0; e < 3; ++e) {
+            const auto gx = hn::Set(d, batch.gx[e][i]), gy = hn::Set(d, batch.gy[e][i]);
+            const auto middle = hn::MulAdd(gx, x, hn::MulAdd(gy, y, hn::Set(d, batch.c[e][i])));
+            const auto reach = hn::MulAdd(hn::Abs(gx), rx, hn::Mul(hn::Abs(gy), ry));
+            most = hn::Min(most, hn::Add(middle, reach));
+        }
+        inside |= bits(d, hn::Not(hn::Lt(most, outside_below))) << k;
+    }
+    return groups & inside;
+}
+
 void test_batch(const CellTest& cell, LeafMemory& leaf)
 {
+    constexpr int kManyGroups = 12;
     const hn::CappedTag<double, 8> d;
     LeafBatch& batch = leaf.batch;
     gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
@@ -227,12 +275,20 @@ void test_batch(const CellTest& cell, LeafMemory& leaf)
         set_up_leaf_lanes(d, cell.mesh.space.directional, leaf, i);
     for (int i = 0; i < batch.count; ++i) {
         for (std::size_t chunk = 0; chunk < leaf.table.size(); ++chunk) {
-            if (const std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]))
-                test_groups(cell, i, chunk, groups, leaf);
+            std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]);
+            if (std::popcount(groups) >= kManyGroups)
+                groups = groups_inside(cell, i, chunk, groups, leaf);
+            if (groups) test_groups(cell, i, chunk, groups, leaf);
         }
     }
     leaf.counts.triangles += std::uint64_t(batch.count);
     batch.count = 0;
+}
+
+/// The box as offsets from (x, y).
+HWY_INLINE SeenTriangle moved(const SeenTriangle& seen, float x, float y)
+{
+    return {seen.triangle, seen.x0 - x, seen.y0 - y, seen.x1 - x, seen.y1 - y, seen.nearest_w};
 }
 
 /// The slots of sixteen triangles, a row for each side of the box and the depth.
@@ -283,40 +339,63 @@ HWY_INLINE std::uint32_t find_slots(std::span<const SeenTriangle> triangles,
     return chosen;
 }
 
-void test_samples(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& leaf,
-    std::uint8_t* shadowed)
+/// The groups that are not shadowed and that the triangle may shadow.
+HWY_INLINE bool meets_groups(const LeafMemory& leaf, const SeenSlots& reach)
 {
-    frame_cell(mesh, samples, leaf);
-    copy_samples(samples, points.item, leaf);
+    std::uint64_t any = 0;
+    for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
+    return any != 0;
+}
+
+HWY_INLINE void add_to_batch(
+    const CellTest& cell, std::uint32_t triangle, const SeenSlots& reach, LeafMemory& leaf)
+{
+    LeafBatch& batch = leaf.batch;
+    batch.triangle[batch.count] = triangle;
+    batch.slots[batch.count] = reach;
+    if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+}
+
+void test_triangles(const CellTest& cell, const LeafWork& work, LeafMemory& leaf)
+{
     // Boxes as offsets from the middle, like the samples.
     const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
     const SampleBounds& b = leaf.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);
 
-    const CellTest cell{mesh, samples, points, leaf_edge_error(leaf)};
-    LeafBatch& batch = leaf.batch;
+    for (const SeenTriangle& seen : work.first)
+        if (may_shadow(seen, b))
+            add_to_batch(cell, seen.triangle, {moved(seen, xm, ym), slots}, leaf);
+    test_batch(cell, leaf);
+    std::uint64_t open = 0;
+    for (const OverlapTable& table : leaf.table.span()) open |= table.open;
+    if (!open) return;
+
     SlotRegister seen;
-    for (std::size_t first = 0; first < triangles.size(); first += kGroup) {
-        const auto some =
-            triangles.subspan(first, std::min<std::size_t>(kGroup, triangles.size() - first));
+    for (std::size_t first = 0; first < work.triangles.size(); first += kGroup) {
+        const auto some = work.triangles.subspan(
+            first, std::min<std::size_t>(kGroup, work.triangles.size() - first));
         for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, seen); rest;
              rest &= rest - 1) {
             const std::size_t k = std::size_t(std::countr_zero(rest));
             SeenSlots reach;
             for (int side = 0; side < 5; ++side)
                 reach.slot[side] = std::uint8_t(seen.slot[side][k]);
-            std::uint64_t any = 0;
-            for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
-            if (!any) continue;
-            batch.triangle[batch.count] = some[k].triangle;
-            batch.slots[batch.count] = reach;
-            if (++batch.count == kLeafBatch) test_batch(cell, leaf);
+            if (meets_groups(leaf, reach)) add_to_batch(cell, some[k].triangle, reach, leaf);
         }
     }
     test_batch(cell, leaf);
+}
 
+void test_samples(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,
+    LeafMemory& leaf, std::uint8_t* shadowed)
+{
+    const std::span<const IrregularSample> samples = work.samples;
+    leaf.count = samples.size();
+    frame_cell(mesh, work.bounds, leaf);
+    copy_samples(samples, leaf);
+    test_triangles({mesh, samples, points, leaf_edge_error(leaf)}, work, leaf);
     for (std::size_t group = 0; group < leaf.shadowed.size(); ++group)
         for (std::uint32_t rest = leaf.shadowed[group]; rest; rest &= rest - 1) {
             const std::size_t k = group * kGroup + std::size_t(std::countr_zero(rest));
@@ -339,15 +418,17 @@ void reserve(LeafMemory& memory, std::size_t samples)
     const std::size_t padded = std::bit_ceil(samples + kGroup); // seldom more than before
     for (auto* values : {&memory.x, &memory.y, &memory.w}) values->resize(padded);
     memory.item.resize(padded);
+    memory.has_item.resize(padded / kGroup);
     memory.shadowed.resize(padded / kGroup);
     memory.table.resize(padded / kGroup / kTableBoxes + 1);
+    for (auto* values : {&memory.group_x, &memory.group_y, &memory.reach_x, &memory.reach_y})
+        values->resize(memory.table.size() * kTableBoxes);
 }
 
-void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,
-    std::span<std::uint8_t> shadowed)
+void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,
+    LeafMemory& memory, std::span<std::uint8_t> shadowed)
 {
-    HWY_DYNAMIC_DISPATCH(test_samples)(mesh, samples, triangles, points, memory, shadowed.data());
+    HWY_DYNAMIC_DISPATCH(test_samples)(mesh, work, points, memory, shadowed.data());
 }
 
 } // namespace firsthit

@@ -21,6 +21,9 @@ class LightPoints {
 
     /// The triangle each point lies on, by id, which does not shadow it; or null.
     const std::uint32_t* item = nullptr;
+
+    /// Samples that come together have rising ids.
+    bool ids_rise = false;
 };
 
 /// How much work the samples took.
@@ -57,9 +60,12 @@ struct LeafBatch {
 
 /// One worker's memory, and its samples while it is at a cell.
 struct LeafMemory {
-    Buffer<float> x, y, w; // offsets from the middle; whole groups
-    Buffer<std::uint32_t> item;
+    Buffer<float> x, y, w;          // offsets from the middle; whole groups
+    Buffer<std::uint32_t> item;     // of the groups whose has_item is set
+    Buffer<std::uint8_t> has_item;  // (groups)
     Buffer<std::uint16_t> shadowed; // (groups) a bit for each sample
+    Buffer<float> group_x, group_y; // (groups) middle of each group
+    Buffer<float> reach_x, reach_y; // (groups) how far its samples lie from there, at most
     Buffer<OverlapTable> table;     // (chunks) of 64 groups
     LeafBatch batch;
     ShadowCounts counts;
@@ -80,8 +86,13 @@ void reserve(LeafMemory& memory, std::size_t samples);
 
 /// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is
 /// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
-void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,
-    std::span<std::uint8_t> shadowed);
+struct LeafWork {
+    std::span<const IrregularSample> samples;
+    SampleBounds bounds; // of the samples
+    std::span<const SeenTriangle> triangles;
+    std::span<const SeenTriangle> first; // large ones among them: what they shadow is done with
+};
+void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,
+    LeafMemory& memory, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit
