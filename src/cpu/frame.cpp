@@ -148,6 +148,9 @@ void prepare(const Pass& pass, int tile_size, const World& world, const View& vi
     for (const auto& worker : memory.workers) {
         resize(worker->items, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
+        if (pass.shadows)
+            worker->lit.resize(
+                world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size));
     }
     resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
 }

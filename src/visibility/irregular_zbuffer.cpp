@@ -147,6 +147,11 @@ void prepare_workers(IrregularMemory& memory, int threads)
         inner.cell_of.resize(divided + 16, divided / 4);
         inner.rect_of.resize(triangles + 16, triangles / 4);
         inner.seen.triangles.resize(2 * triangles, triangles);
+        if (divided == 0) continue;
+        for (auto* starts : {&inner.sample_start, &inner.seen.start})
+            starts->resize(divided / kCellSamples + 2, 1024);
+        for (auto* cursor : {&inner.cursor, &inner.seen.cursor})
+            cursor->resize(divided / kCellSamples + 2, 4096);
     }
 }
 
