@@ -1,4 +1,4 @@
-// irregular_covers.cpp - large triangles that shadow whole patches of samples.
+// irregular_covers.cpp - large triangles that shadow whole patches and cells of samples.
 //
 // A triangle shadows every point of a box of the face, between two depths, where its edges are
 // positive at the box's corners and it is nearer to the light there than the nearest point, by more

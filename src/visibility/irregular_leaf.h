@@ -84,14 +84,16 @@ struct LeafMemory {
 /// Room for cells of so many samples.
 void reserve(LeafMemory& memory, std::size_t samples);
 
-/// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is
-/// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
+/// One cell.
 struct LeafWork {
     std::span<const IrregularSample> samples;
     SampleBounds bounds; // of the samples
     std::span<const SeenTriangle> triangles;
-    std::span<const SeenTriangle> first; // large ones among them: what they shadow is done with
+    std::span<const SeenTriangle> first; // large ones of the face: what they shadow is done with
 };
+
+/// Finds out which samples of the cell are shadowed: shadowed[id] = 1 for these, no other is
+/// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
 void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,
     LeafMemory& memory, std::span<std::uint8_t> shadowed);
 

@@ -85,13 +85,13 @@ void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
     memory.open.resize(open);
 }
 
-/// Splits the patches that are left into those that stay together and samples to be sorted.
-/// Returns the number and the bounds of the latter.
+/// The samples that are to be sorted.
 struct Loose {
     std::size_t count = 0;
     SampleBounds bounds;
 };
 
+/// Splits the patches that are left into those that stay together and samples to be sorted.
 Loose split_patches(
     const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
 {
