@@ -130,7 +130,11 @@ class EdgeTest {
             std::max(std::abs(x0_) + width_ * grid.columns, std::abs(y0_) + height_ * grid.rows);
         for (const SeenPoint& c : corner)
             largest = std::max({largest, double(std::abs(c.x)), double(std::abs(c.y))});
-        if (!(largest < 1e30)) return; // also where a corner is behind the face
+        const double size =
+            std::abs(dx(0, 1)) + std::abs(dy(0, 1)) + std::abs(dx(0, 2)) + std::abs(dy(0, 2));
+        // Nothing is asked where roundings might have turned the triangle over, nor where a corner
+        // is behind the face, and so no number: the comparison is false then.
+        if (!(largest < 1e30 && std::abs(area) > 4 * kRoom * largest * size)) return;
         const double side = area < 0 ? -1 : 1;
         for (int k = 0; k < 3; ++k) {
             const int next = (k + 1) % 3;
