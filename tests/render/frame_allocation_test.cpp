@@ -40,6 +40,15 @@ TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
     }
 }
 
+TEST(FrameAllocation, IsNoneWithShadowMaps)
+{
+    Settings settings;
+    settings.shadows = Shadows::map;
+    settings.shadow_filter = 3;
+    for (const int threads : {1, 2})
+        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0u);
+}
+
 TEST(FrameAllocation, IsNoneWithSupersampling)
 {
     Settings settings;
