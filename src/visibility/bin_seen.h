@@ -69,7 +69,7 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
     const std::uint64_t most = std::min(kManyCopies + 4 * from.size(), kMostCopies);
     if (total > most && bins > 1) return false;
-    out.triangles.resize(total, total / 2 + from.size()); // moving scenes need more now and then
+    out.triangles.resize(total, total + 2 * from.size()); // moving scenes need more now and then
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
         SeenTriangle* to = out.triangles.data();

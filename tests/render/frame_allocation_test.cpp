@@ -5,14 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace firsthit {
 namespace {
 
 /// Allocations of frames 3 to 12, each at another time.
-std::size_t allocations_after_two_frames(
-    const std::string& name, int threads, const Settings& settings)
+std::size_t allocations_after_two_frames(const Scene& scene, int threads, const Settings& settings)
 {
-    const Scene scene = load_scene(name);
     World world;
     pose(scene, 0, world);
     View view;
@@ -30,6 +31,22 @@ std::size_t allocations_after_two_frames(
     return allocations() - before;
 }
 
+std::size_t allocations_after_two_frames(
+    const std::string& name, int threads, const Settings& settings)
+{
+    return allocations_after_two_frames(load_scene(name), threads, settings);
+}
+
+/// A lamp among the robots, and the sun.
+std::vector<Light> two_lights()
+{
+    Light lamp, sun;
+    lamp.position = {1, 6, 2};
+    sun.kind = Light::Kind::directional;
+    sun.direction = {-0.4, -1, 0.3};
+    return {lamp, sun};
+}
+
 TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
 {
     Settings settings;
@@ -40,21 +57,28 @@ TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
     }
 }
 
-TEST(FrameAllocation, IsNoneWithShadowMaps)
-{
-    Settings settings;
-    settings.shadows = Shadows::map;
-    settings.shadow_filter = 3;
-    for (const int threads : {1, 2})
-        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0u);
-}
-
 TEST(FrameAllocation, IsNoneWithSupersampling)
 {
     Settings settings;
     settings.samples = 3;
     settings.aovs = {Aov::item};
     EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
+}
+
+TEST(FrameAllocation, IsNoneWithTheShadowsOfTwoLights)
+{
+    for (const char* name : {"builtin:robots", "builtin:wave?n=20000"}) {
+        Scene scene = load_scene(name);
+        scene.lights = two_lights();
+        for (const Shadows technique : {Shadows::map, Shadows::exact}) {
+            Settings settings;
+            settings.shadows = technique;
+            settings.aovs = {Aov::lit};
+            for (const int threads : {1, 2})
+                EXPECT_EQ(allocations_after_two_frames(scene, threads, settings), 0u)
+                    << name << (technique == Shadows::map ? ", map, " : ", exact, ") << threads;
+        }
+    }
 }
 
 } // namespace
