@@ -44,6 +44,10 @@ namespace firsthit {
 /// the light, twice.
 inline constexpr float kShadowMargin = 0x1p-21f;
 
+/// Margins are floats: of a point and of corners together they are within two roundings, and
+/// this, of what real arithmetic says.
+inline constexpr double kMarginUnderflow = 0x1p-149;
+
 /// A light's frame.
 struct LightSpace {
     bool directional = false;

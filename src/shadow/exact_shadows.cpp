@@ -8,23 +8,43 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <utility>
 
 namespace firsthit {
 namespace {
 
+/// How far behind its item's plane a hit may be, in margins: with u = 2^-24 and all that is rounded
+/// on the way from the eye's rays to the light taken at its worst, 30 u for each of the point's and
+/// the light's and eye's largest coordinates, and 4 u for the corners', against 8 u of a margin.
+/// That is far more than what happens; only lengths that underflow are off by more.
+double most_own_margins(const LightSpace& space)
+{
+    return space.reach > 0x1p-100f ? 8 : std::numeric_limits<double>::infinity();
+}
+
 /// The points behind the ids: number of a sample in all tiles.
 class HitPoints : public LightPoints {
   public:
-    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh) : tiles_(tiles), mesh_(mesh) {}
+    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh)
+        : tiles_(tiles),
+          mesh_(mesh),
+          size_(std::uint32_t(tiles[0].size))
+    {
+        own_margins = most_own_margins(mesh.space);
+    }
+
+    bool lies_on(std::uint32_t id, std::uint32_t triangle) const override
+    {
+        return tile_of(id).item[place_in_tile(id)] == triangle;
+    }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
-        const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
-        const HitTile& tile = tiles_[id / samples];
-        const std::uint32_t at = id % samples, block = at / kBlockSamples;
-        const std::uint32_t blocks_x = size / kBlock;
+        const HitTile& tile = tile_of(id);
+        const std::uint32_t at = place_in_tile(id), block = at / kBlockSamples;
+        const std::uint32_t blocks_x = size_ / kBlock;
         const int k = int(at % kBlockSamples);
         const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
                     y = float(block / blocks_x * kBlock) + float(block_y(k));
@@ -33,8 +53,12 @@ class HitPoints : public LightPoints {
     }
 
   private:
+    const HitTile& tile_of(std::uint32_t id) const { return tiles_[id / (size_ * size_)]; }
+    std::uint32_t place_in_tile(std::uint32_t id) const { return id % (size_ * size_); }
+
     std::span<const HitTile> tiles_;
     const LightMesh& mesh_;
+    std::uint32_t size_; // of a tile
 };
 
 /// Takes the samples that are shadowed out of the words.

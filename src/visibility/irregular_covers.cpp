@@ -2,7 +2,8 @@
 //
 // A triangle shadows every point of a box of the face, between two depths, where its edges are
 // positive at the box's corners and it is nearer to the light there than the nearest point, by more
-// than the margin: edges and depth are affine. All in double, with room for the roundings.
+// than the margin: edges and depth are affine. All in double, and nothing is certain that roundings
+// might change: not on which side of a triangle a light is that lies nearly in its plane.
 #include "visibility/irregular_covers.h"
 
 #include <glm/geometric.hpp>
@@ -12,6 +13,8 @@
 
 namespace firsthit {
 namespace {
+
+using glm::dvec3;
 
 constexpr double kSmallestCover = 1.0 / 64; // of the samples' bounds
 constexpr double kRoom = 0x1p-20;           // for roundings, far more than they are
@@ -29,67 +32,88 @@ struct Place {
     double x, y;
 };
 
-/// The corners of the bounds, a little further out: samples' places are rounded.
+/// The corners of the bounds, a little further out: samples' places are rounded, tiny ones to 0.
 std::array<Place, 4> corners_of(const SampleBounds& b)
 {
-    const auto low = [](float v) { return double(v) - 0x1p-22 * std::abs(double(v)); };
-    const auto high = [](float v) { return double(v) + 0x1p-22 * std::abs(double(v)); };
-    return {{{low(b.x0), low(b.y0)}, {high(b.x1), low(b.y0)}, {low(b.x0), high(b.y1)},
-        {high(b.x1), high(b.y1)}}};
+    const auto out = [](float v) { return 0x1p-22 * std::abs(double(v)) + 0x1p-140; };
+    const double x0 = double(b.x0) - out(b.x0), x1 = double(b.x1) + out(b.x1),
+                 y0 = double(b.y0) - out(b.y0), y1 = double(b.y1) + out(b.y1);
+    return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}};
 }
 
-/// n . (x, y, 1), or -infinity where its sign is not certain.
-double certain_dot(const glm::dvec3& n, const Place& at)
+/// A value, and what its roundings are relative to.
+struct Rounded {
+    double value = 0, size = 0;
+
+    /// 0 where it may be.
+    int sign() const { return std::abs(value) > kRoom * size ? value > 0 ? 1 : -1 : 0; }
+};
+
+struct RoundedVector {
+    dvec3 value{0}, size{0};
+};
+
+RoundedVector cross(const dvec3& a, const dvec3& b)
 {
-    const double x = n.x * at.x, y = n.y * at.y;
-    const double sum = (x + y) + n.z;
-    const double size = std::abs(x) + std::abs(y) + std::abs(n.z);
-    return sum > kRoom * size ? sum : -std::numeric_limits<double>::infinity();
+    const dvec3 p = glm::abs(a), q = glm::abs(b);
+    return {
+        glm::cross(a, b), {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x}};
 }
 
-bool shadows_box(const LightMesh& mesh, std::uint32_t triangle, const SampleBounds& bounds)
+Rounded dot(const RoundedVector& n, const dvec3& p)
+{
+    return {glm::dot(n.value, p), glm::dot(n.size, glm::abs(p))};
+}
+
+/// A product of two corners: each component is the difference of two exact products.
+RoundedVector corner_product(const dvec3& a, const dvec3& b)
+{
+    const dvec3 n = glm::cross(a, b);
+    return {n, glm::abs(n)};
+}
+
+bool shadows_box(
+    const LightMesh& mesh, std::uint32_t triangle, const SampleBounds& bounds, double own_margins)
 {
     const bool directional = mesh.space.directional;
     const Corners corners = mesh.corners(triangle);
-    std::array<glm::dvec3, 3> v, pencil;
+    std::array<dvec3, 3> v, pencil;
     for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = glm::dvec3(mesh.face.seen_from(corners[k]));
-        pencil[k] = directional ? glm::dvec3(v[k].x, v[k].y, 1) : v[k];
+        v[k] = dvec3(mesh.face.seen_from(corners[k]));
+        pencil[k] = directional ? dvec3(v[k].x, v[k].y, 1) : v[k];
     }
-    const double volume = glm::dot(pencil[0], glm::cross(pencil[1], pencil[2]));
-    const double facing = volume > 0 ? 1 : -1;
+    const Rounded volume = dot(corner_product(pencil[1], pencil[2]), pencil[0]);
+    if (volume.sign() == 0) return false;
     const std::array<Place, 4> places = corners_of(bounds);
     for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 edge = facing * glm::cross(pencil[k], pencil[(k + 1) % 3]);
-        for (const Place& place : places)
-            if (!(certain_dot(edge, place) > 0)) return false;
+        const RoundedVector edge = corner_product(pencil[k], pencil[(k + 1) % 3]);
+        for (const Place& at : places)
+            if (dot(edge, {at.x, at.y, 1}).sign() != volume.sign()) return false;
     }
 
-    const glm::dvec3 n = glm::cross(v[1] - v[0], v[2] - v[0]);
-    const double divisor = directional ? n.z : volume;
+    const RoundedVector n = cross(v[1] - v[0], v[2] - v[0]);
+    const Rounded divisor = directional ? Rounded{n.value.z, n.size.z} : volume;
+    if (divisor.sign() == 0) return false;
     const double nearest = bounds.nearest_w;
     double largest = 1; // of a point's coordinates, over its c for a point light
     if (directional)
         largest = std::max({std::abs(double(bounds.x0)), std::abs(double(bounds.x1)),
             std::abs(double(bounds.y0)), std::abs(double(bounds.y1)), std::abs(nearest),
             std::abs(double(bounds.farthest_w))});
-    const double reach = double(mesh.space.reach) * (directional ? 1 : nearest);
-    const double corner = double(corner_margin(corners)) * (directional ? 1 : nearest);
-    const double margin = (double(kShadowMargin) * (2 * largest + reach) + corner) *
-                          (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) / std::abs(divisor);
-    for (const Place& place : places) {
-        double w, size;
-        if (directional) {
-            const double x = n.x * (place.x - v[0].x) / n.z, y = n.y * (place.y - v[0].y) / n.z;
-            w = x + y - v[0].z;
-            size = std::abs(x) + std::abs(y) + std::abs(v[0].z);
-        } else {
-            const double x = n.x * place.x / volume, y = n.y * place.y / volume;
-            w = x + y + n.z / volume;
-            size = std::abs(x) + std::abs(y) + std::abs(n.z / volume);
-        }
-        if (!(w - nearest > margin * (1 + kRoom) + kRoom * (size + std::abs(nearest))))
-            return false;
+    const double per_margin = directional ? 1 : nearest;
+    const double margin =
+        own_margins * (double(kShadowMargin) * 2 * largest +
+                          per_margin * (double(kShadowMargin) * double(mesh.space.reach) +
+                                           double(corner_margin(corners)) + kMarginUnderflow));
+    const double length = n.size.x + n.size.y + n.size.z; // or a little more
+    for (const Place& at : places) {
+        const Rounded height =
+            directional ? dot(n, {at.x - v[0].x, at.y - v[0].y, 0}) : dot(n, {at.x, at.y, 1});
+        const double base = directional ? v[0].z : 0;
+        const double w = height.value / divisor.value - base;
+        const double size = (height.size + margin * length) / std::abs(divisor.value) +
+                            std::abs(base) + std::abs(nearest);
+        if (!(w - nearest > margin * length / std::abs(divisor.value) + kRoom * size)) return false;
     }
     return true;
 }
@@ -140,7 +164,8 @@ bool is_covered(const LightMesh& mesh, const CoverList& covers, const SamplePatc
         const SeenTriangle& seen = covers.triangle[std::size_t(k)];
         const bool around =
             seen.x0 <= b.x0 && seen.x1 >= b.x1 && seen.y0 <= b.y0 && seen.y1 >= b.y1;
-        if (around && seen.nearest_w > b.nearest_w && shadows_box(mesh, seen.triangle, b) &&
+        if (around && seen.nearest_w > b.nearest_w &&
+            shadows_box(mesh, seen.triangle, b, points.own_margins) &&
             !is_item(seen.triangle, samples, points))
             return true;
     }

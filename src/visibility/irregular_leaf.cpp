@@ -22,19 +22,20 @@ namespace {
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, LeafMemory& leaf)
+void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples, double own_margins,
+    LeafMemory& leaf)
 {
     leaf.count = samples.size();
     leaf.bounds = bounds_of(samples);
     leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
                                                   std::abs(leaf.bounds.nearest_w))
-                                            : leaf.bounds.nearest_w;
+                                            : std::max(0.0f, leaf.bounds.nearest_w);
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
-    // A float, so that the offsets are single roundings.
-    leaf.middle_x = float(0.5 * (double(b.x0) + double(b.x1)));
-    leaf.middle_y = float(0.5 * (double(b.y0) + double(b.y1)));
+    // Floats, so that the offsets are single roundings.
+    leaf.middle_x = 0.5f * b.x0 + 0.5f * b.x1;
+    leaf.middle_y = 0.5f * b.y0 + 0.5f * b.y1;
     const bool directional = mesh.space.directional;
     leaf.error_x = directional ? 0 : 0x1p-24 * most_x;
     leaf.error_y = directional ? 0 : 0x1p-24 * most_y;
@@ -56,13 +57,16 @@ void frame_cell(const LightMesh& mesh, std::span<const IrregularSample> samples,
         least = 2 + reach * std::max(0.0, double(b.farthest_w));
         most = 2 + reach * double(leaf.largest_w);
     }
-    leaf.least_margin = double(kShadowMargin) * least * (1 - 0x1p-20);
-    leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20);
     // And of the corners: corner_margin, over c as well.
     const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
                  most_w = directional ? 1 : double(leaf.largest_w);
-    leaf.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
-    leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
+    const double low = double(kShadowMargin) * (1 - 0x1p-20),
+                 high = double(kShadowMargin) * (1 + 0x1p-20) * own_margins,
+                 underflow = kMarginUnderflow * most_w;
+    leaf.least_margin = std::max(0.0, low * least - underflow);
+    leaf.largest_margin = high * most + own_margins * underflow;
+    leaf.least_corner = low * least_w;
+    leaf.largest_corner = high * most_w;
 }
 
 /// Copies the samples as offsets from the middle, whole groups. What fills up the last group is
@@ -78,7 +82,7 @@ void copy_samples(
     leaf.item.resize(padded);
     leaf.shadowed.resize(padded / kGroup);
     std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
-    const auto xm = hn::Set(d, float(leaf.middle_x)), ym = hn::Set(d, float(leaf.middle_y));
+    const auto xm = hn::Set(d, leaf.middle_x), ym = hn::Set(d, leaf.middle_y);
     const auto copy = [&](const IrregularSample* from, std::size_t to) {
         auto x = xm, y = xm, w = xm, id = xm;
         hn::LoadInterleaved4(d, &from->x, x, y, w, id);
@@ -148,8 +152,10 @@ HWY_NOINLINE std::uint32_t settle_group(const LightMesh& mesh,
         const std::size_t k = first + std::size_t(std::countr_zero(open));
         if (k >= leaf.count) break;
         ++leaf.counts.uncertain;
-        const glm::vec3 d = points.in_light_space(samples[k].id);
-        if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
+        const std::uint32_t id = samples[k].id;
+        if (points.lies_on(id, triangle)) continue;
+        if (is_shadowed(mesh.space, corners, points.in_light_space(id), leaf.counts.effort))
+            shadowed |= open & (~open + 1);
     }
     return shadowed;
 }
@@ -287,10 +293,10 @@ void test_samples(const LightMesh& mesh, std::span<const IrregularSample> sample
     std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& leaf,
     std::uint8_t* shadowed)
 {
-    frame_cell(mesh, samples, leaf);
+    frame_cell(mesh, samples, points.own_margins, leaf);
     copy_samples(samples, points.item, leaf);
     // Boxes as offsets from the middle, like the samples.
-    const float xm = float(leaf.middle_x), ym = float(leaf.middle_y);
+    const float xm = leaf.middle_x, ym = leaf.middle_y;
     const SampleBounds& b = leaf.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
     fill_tables(slots, leaf);

@@ -19,7 +19,13 @@ class LightPoints {
     /// The point in the light's space.
     virtual glm::vec3 in_light_space(std::uint32_t id) const = 0;
 
-    /// The triangle each point lies on, by id, which does not shadow it; or null.
+    /// Whether the point lies on the triangle, which then does not shadow it. Asked only where the
+    /// point is behind its plane by at most own_margins margins (exact/shadow_ray.h).
+    virtual bool lies_on(std::uint32_t /*id*/, std::uint32_t /*triangle*/) const { return false; }
+    double own_margins = 1;
+
+    /// The triangle that each point lies on, however far away: never asked for, it does not shadow
+    /// the point; or null.
     const std::uint32_t* item = nullptr;
 };
 
@@ -68,7 +74,7 @@ struct LeafMemory {
     std::size_t count = 0;
     SampleBounds bounds;
     float largest_w = 0; // the largest size of a w
-    double middle_x = 0, middle_y = 0;
+    float middle_x = 0, middle_y = 0;
     double half_x = 0, half_y = 0;               // largest offsets
     double error_x = 0, error_y = 0;             // of a sample's place
     double least_margin = 0, largest_margin = 0; // in units of w times the plane's distance

@@ -47,7 +47,7 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
     const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
     const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
         v2{load(6), load(7), load(8)};
-    const V xm = hn::Set(d, leaf.middle_x), ym = hn::Set(d, leaf.middle_y);
+    const V xm = hn::Set(d, double(leaf.middle_x)), ym = hn::Set(d, double(leaf.middle_y));
     const V hx = hn::Set(d, leaf.half_x), hy = hn::Set(d, leaf.half_y);
     const V reach_x = hn::Set(d, std::abs(leaf.middle_x) + leaf.half_x),
             reach_y = hn::Set(d, std::abs(leaf.middle_y) + leaf.half_y);
@@ -130,10 +130,13 @@ HWY_INLINE void set_up_leaf_lanes(D d, bool directional, LeafMemory& leaf, int i
         hn::Add(hn::Set(d, leaf.least_margin), hn::Mul(hn::Set(d, leaf.least_corner), corner));
     const V most = hn::Add(hn::Mul(hn::Add(k, k_error), most_margin), error);
     const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), least_margin), error);
-    // A divisor that may be anything, or a float that overflows: nothing is certain.
-    const auto sane = hn::And(
-        hn::Gt(certain, zero), hn::And(hn::Lt(divisor_error, u(0x1p26)),
-                                   hn::And(hn::Lt(size, u(0x1p120)), hn::Lt(most, u(0x1p120)))));
+    // A divisor that may be anything, or a float that overflows: nothing is certain. In a small cell
+    // the slopes of w may be far larger than w.
+    const auto fits = [&](const V& v) { return hn::Lt(v, u(0x1p120)); };
+    const auto floats =
+        hn::And(hn::And(fits(size), fits(most)), hn::And(fits(hn::Abs(wx)), fits(hn::Abs(wy))));
+    const auto sane =
+        hn::And(hn::Gt(certain, zero), hn::And(hn::Lt(divisor_error, u(0x1p26)), floats));
     const V infinite = hn::Inf(d);
     const V from =
         hn::IfThenElse(sane, hn::Add(most, hn::Mul(hn::Abs(most), u(0x1p-22))), infinite);
