@@ -57,12 +57,14 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
             pencil[k] = v[k];
             if (directional) pencil[k].z = one;
         }
+        const V farthest = hn::Max(hn::Max(largest_of(v[0]), largest_of(v[1])), largest_of(v[2]));
         const Vector3<V> m = cross(pencil[1], pencil[2]);
         const V x = hn::Mul(pencil[0].x, m.x), y = hn::Mul(pencil[0].y, m.y),
                 z = hn::Mul(pencil[0].z, m.z);
         const V volume = hn::Add(hn::Add(x, y), z);
         const V size = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
-        const auto certain = hn::Gt(hn::Abs(volume), hn::Mul(hn::Set(d, 8 * kUlp), size));
+        const auto certain = hn::And(hn::Gt(hn::Abs(volume), hn::Mul(hn::Set(d, 8 * kUlp), size)),
+            hn::Lt(farthest, hn::Set(d, double(kFarthest))));
         hn::Store(hn::IfThenElseZero(certain, volume), d, batch.volume + i);
 
         const Vector3<V> n = cross(sub(v[1], v[0]), sub(v[2], v[0]));
