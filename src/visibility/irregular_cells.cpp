@@ -59,7 +59,7 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells)
     const double longest = std::max(width, height) / double(cells);
     const double side = std::max(square, longest);
     const auto count = [&](double length) {
-        return side > 0 ? std::clamp(int(std::ceil(length / side)), 1, kMostColumns) : 1;
+        return length > 0 ? std::clamp(int(std::ceil(length / side)), 1, kMostColumns) : 1;
     };
     grid.columns = count(width);
     grid.rows = count(height);
