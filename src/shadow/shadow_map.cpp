@@ -121,8 +121,9 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
         rows[1] += middle.y * rows[2];
         map.matrix = glm::transpose(rows);
     }
-    map.depth.resize(
-        std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels);
+    const std::size_t texels =
+        std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
+    map.depth.resize(texels, texels / 2); // what hits fill of a face changes from frame to frame
     maps.view.pencil = pencil;
     raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
     ++maps.updates;

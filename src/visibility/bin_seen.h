@@ -56,6 +56,7 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
     std::size_t bins, const ForBins& for_bins, SeenBins& out, Tasks& tasks)
 {
     constexpr std::uint64_t kManyCopies = std::uint64_t(1) << 24; // beyond four a triangle: 400 MB
+    constexpr std::uint64_t kMostCopies = 0xFFFFFFFF;             // numbered in 32 bits
     const Shares shares(ranges.size(), std::size_t(tasks.threads()));
     out.cursor.resize(shares.count * bins, shares.count * bins + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
@@ -66,8 +67,9 @@ bool bin_seen(std::span<const SeenTriangle> from, std::span<const SampleRange> r
                 for_bins(k, [=](std::size_t bin) { ++counts[bin]; });
     });
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
-    if (total > kManyCopies + 4 * from.size() && bins > 1) return false;
-    out.triangles.resize(total, total / 2 + from.size()); // moving scenes need more now and then
+    const std::uint64_t most = std::min(kManyCopies + 4 * from.size(), kMostCopies);
+    if (total > most && bins > 1) return false;
+    out.triangles.resize(total, total + 2 * from.size()); // moving scenes need more now and then
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
         SeenTriangle* to = out.triangles.data();

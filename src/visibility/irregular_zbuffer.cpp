@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t kCellSamples = 768;   // wanted in a cell
 constexpr std::size_t kManySamples = 4096;  // more than these are divided again
 constexpr std::size_t kManyTriangles = 128; // where there are more than these triangles
+constexpr std::size_t kSpareCells = 64;     // more than a grid has beyond those wanted, mostly
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
@@ -138,6 +139,10 @@ void prepare_workers(IrregularMemory& memory, int threads)
         inner.cell_of.resize(divided + 16, divided / 4);
         inner.rect_of.resize(triangles + 16, triangles / 4);
         inner.seen.triangles.resize(2 * triangles, triangles);
+        if (divided == 0) continue;
+        for (auto* numbers :
+            {&inner.cursor, &inner.sample_start, &inner.seen.cursor, &inner.seen.start})
+            numbers->resize(kSpareCells + 2 * divided / kCellSamples);
     }
 }
 

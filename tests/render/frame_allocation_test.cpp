@@ -5,14 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace firsthit {
 namespace {
 
 /// Allocations of frames 3 to 12, each at another time.
-std::size_t allocations_after_two_frames(
-    const std::string& name, int threads, const Settings& settings)
+std::size_t allocations_after_two_frames(const Scene& scene, int threads, const Settings& settings)
 {
-    const Scene scene = load_scene(name);
     World world;
     pose(scene, 0, world);
     View view;
@@ -28,6 +29,22 @@ std::size_t allocations_after_two_frames(
     const std::size_t before = allocations();
     for (int number = 2; number < 12; ++number) frame(number);
     return allocations() - before;
+}
+
+std::size_t allocations_after_two_frames(
+    const std::string& name, int threads, const Settings& settings)
+{
+    return allocations_after_two_frames(load_scene(name), threads, settings);
+}
+
+/// A lamp among the robots, and the sun.
+std::vector<Light> two_lights()
+{
+    Light lamp, sun;
+    lamp.position = {1, 6, 2};
+    sun.kind = Light::Kind::directional;
+    sun.direction = {-0.4, -1, 0.3};
+    return {lamp, sun};
 }
 
 TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
@@ -46,6 +63,44 @@ TEST(FrameAllocation, IsNoneWithSupersampling)
     settings.samples = 3;
     settings.aovs = {Aov::item};
     EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
+}
+
+TEST(FrameAllocation, IsNoneWithTheShadowsOfTwoLights)
+{
+    for (const char* name : {"builtin:robots", "builtin:wave?n=20000"}) {
+        Scene scene = load_scene(name);
+        scene.lights = two_lights();
+        for (const Shadows technique : {Shadows::map, Shadows::exact}) {
+            Settings settings;
+            settings.shadows = technique;
+            settings.aovs = {Aov::lit};
+            for (const int threads : {1, 2})
+                EXPECT_EQ(allocations_after_two_frames(scene, threads, settings), 0u)
+                    << name << (technique == Shadows::map ? ", map, " : ", exact, ") << threads;
+        }
+    }
+}
+
+TEST(OcclusionAllocation, IsNoneAfterTheSecondCall)
+{
+    const Scene scene = load_scene("builtin:robots");
+    const std::vector<Light> lights = two_lights();
+    World world;
+    pose(scene, 0, world);
+    const std::vector<glm::vec3> points = world.position;
+    for (const int threads : {1, 2}) {
+        Occlusion occlusion(threads);
+        std::vector<std::uint8_t> bits;
+        const auto call = [&](int number) {
+            pose(scene, 0.7 * number, world);
+            occlusion.test_packed(world, points, lights, bits);
+        };
+        call(0);
+        call(1);
+        const std::size_t before = allocations();
+        for (int number = 2; number < 12; ++number) call(number);
+        EXPECT_EQ(allocations(), before) << threads << " threads";
+    }
 }
 
 } // namespace
