@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace firsthit::test {
 
@@ -104,5 +107,31 @@ struct Builder {
         light(spot_light({0.5, 3, 0.25}, {-0.1, -1, 0.1}, uniform(random, 0.2f, 1.2f)));
     }
 };
+
+/// The finished world `factor` times as large, then moved.
+inline void transform(ShadowWorld& made, float factor, const glm::vec3& offset)
+{
+    made.scale = factor;
+    for (glm::vec3& p : made.world.world.position) p = p * factor + offset;
+    for (Light& l : made.world.world.lights)
+        l.position = l.position * double(factor) + glm::dvec3(offset);
+    made.view.camera.eye = made.view.camera.eye * double(factor) + glm::dvec3(offset);
+    made.view.camera.direction *= double(factor);
+}
+
+using Scenes = std::vector<ShadowScene>;
+
+/// build(Builder&) fills an empty world.
+template <class F>
+void add(Scenes& scenes, std::string name, F build)
+{
+    scenes.push_back({std::move(name), [build](ShadowWorld& made, std::mt19937& random) {
+                          Builder b{made, random};
+                          build(b);
+                      }});
+}
+
+/// Scenes whose answers hang on the last bits (rounding_scenes.cpp).
+void add_rounding(Scenes& scenes);
 
 } // namespace firsthit::test

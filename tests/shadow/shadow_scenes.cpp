@@ -14,17 +14,6 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-/// The finished world `factor` times as large, then moved.
-void transform(ShadowWorld& made, float factor, const vec3& offset)
-{
-    made.scale = factor;
-    for (vec3& p : made.world.world.position) p = p * factor + offset;
-    for (Light& l : made.world.world.lights)
-        l.position = l.position * double(factor) + dvec3(offset);
-    made.view.camera.eye = made.view.camera.eye * double(factor) + dvec3(offset);
-    made.view.camera.direction *= double(factor);
-}
-
 void box_on_floor(Builder& b)
 {
     b.floor();
@@ -34,17 +23,6 @@ void box_on_floor(Builder& b)
     b.light(directional_light({-1, -1.5, 0.5}));
     b.light(spot_light({-1, 3, 1}, {0.3, -1, -0.3}, 0.5));
     b.eye({2, 3, 4});
-}
-
-using Scenes = std::vector<ShadowScene>;
-
-template <class F>
-void add(Scenes& scenes, std::string name, F build)
-{
-    scenes.push_back({std::move(name), [build](ShadowWorld& made, std::mt19937& random) {
-                          Builder b{made, random};
-                          build(b);
-                      }});
 }
 
 void add_everyday(Scenes& scenes)
@@ -309,6 +287,7 @@ const std::vector<ShadowScene>& shadow_scenes()
         add_exact(made);
         add_thin(made);
         add_wide(made);
+        add_rounding(made);
         return made;
     }();
     return scenes;
