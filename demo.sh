@@ -20,12 +20,12 @@ print_times()
         /"width"/ { width = $2 + 0 }
         /"height"/ { height = $2 + 0 }
         /"time_s"/ { frames++ }
-        /"(pose|setup|raster|resolve|shade|write|total)_ms"/ { split($1, part, "\""); sum[part[2]] += $2 }
+        /"(pose|setup|raster|resolve|shadow|shade|write|total)_ms"/ { split($1, part, "\""); sum[part[2]] += $2 }
         /"triangles"/ { triangles = $2 + 0 }
         END {
             printf "%-18s %9d %9s %6d %8.1f", name, triangles, width "x" height, frames, load
-            split("pose setup raster resolve shade write total", stage, " ")
-            for (k = 1; k <= 7; k++) printf " %8.2f", sum[stage[k] "_ms"] / frames
+            split("pose setup raster resolve shadow shade write total", stage, " ")
+            for (k = 1; k <= 8; k++) printf " %8.2f", sum[stage[k] "_ms"] / frames
             print ""
         }' "$stats"
 }
@@ -40,9 +40,9 @@ picture()
 }
 
 echo
-echo "milliseconds by stage, mean of the frames"
+echo "milliseconds by stage, mean of the frames; a first frame also pays for its memory"
 printf '%-18s %9s %9s %6s %8s' scene triangles size frames load
-printf ' %8s' pose setup raster resolve shade write total
+printf ' %8s' pose setup raster resolve shadow shade write total
 printf '\n'
 picture torus builtin:torus -o out/torus.png
 if [ -f scenes/bunny.stl ]; then
@@ -52,7 +52,10 @@ fi
 if [ -f scenes/dragon.ply ]; then
     picture dragon scenes/dragon.ply -o out/dragon.png
 fi
-picture robots builtin:robots --frames 0:10:5 -o out/robots_%d.png
+picture 'robots, exact' builtin:robots --frames 0:10:5 -o out/robots_%d.png
+picture 'robots, maps' builtin:robots --frames 0:10:5 -o out/robots_maps_%d.png --shadows map
+picture 'robots, a spot' builtin:robots --time 9 -o out/robots_spot.png --light spot:0,7,0,0,-1,0,90,60
+picture 'robots, a sun' builtin:robots --time 9 -o out/robots_sun.png --light directional:-1,-0.7,0.4
 picture 'robots, 2x2 rays' builtin:robots --time 5 --samples 2 -o out/robots_smooth.png
 picture wave 'builtin:wave?n=100000' --time 1 -o out/wave.png
 picture animation builtin:robots --size 640x360 --frames 0:2:48 -o out/animation/robots_%04d.png

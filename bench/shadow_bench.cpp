@@ -1,27 +1,31 @@
-// shadow_bench.cpp - the exact shadow pass of one frame against Embree's 8-wide coherent shadow
-// rays for the same points: same process, frame by frame in turn, medians.
+// shadow_bench.cpp - shadows of one frame, exact and by maps, against Embree's 8-wide coherent
+// shadow rays for the same points: same process, in turn, medians.
 //
-//     shadow_bench [--threads N] [--rounds N] [--size N] [SCENE[@SECONDS] ...]
+//     shadow_bench [--threads N] [--rounds N] [--size WIDTHxHEIGHT] [--lights N] [--map-size N]
+//         [SCENE[@SECONDS] ...]
 //
 // Embree's tree is built beforehand and not counted. Both sides are given only the hits whose
 // surface faces the light; Embree is given their points in the light's space, 4x2 pixels a packet.
+// Of several lights (around the first), Embree is measured for the first only. A map is made anew
+// in every round. Its wrong pixels are counted against the exact pass.
+#include "embree_tree.h"
+
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
 #include "render/check_settings.h"
 #include "scene/pose.h"
 #include "shadow/collect_hits.h"
-#include "shadow/exact_shadows.h"
 #include "shadow/find_receivers.h"
+#include "shadow/look_up.h"
 
 #include <firsthit/firsthit.h>
 
-#include <embree3/rtcore.h>
-
-#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,7 +35,9 @@ namespace {
 struct Options {
     int threads = 1;
     int rounds = 11;
-    int size = 1024;
+    int width = 1024, height = 1024;
+    int lights = 1;
+    int map_size = 0;
     std::vector<std::string> scenes;
 };
 
@@ -41,61 +47,56 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-/// Embree's tree over the triangles in a light's space.
-struct Tree {
-    RTCDevice device;
-    RTCScene scene;
+/// The first light, and others around it.
+void set_lights(int count, World& world)
+{
+    world.lights.resize(1);
+    const glm::dvec3 at = world.lights[0].position;
+    const double distance = std::sqrt(at.x * at.x + at.y * at.y + at.z * at.z);
+    for (int k = 1; k < count; ++k) {
+        Light light = world.lights[0];
+        light.position.x += 0.5 * distance * std::cos(2.4 * k);
+        light.position.z += 0.5 * distance * std::sin(2.4 * k);
+        world.lights.push_back(light);
+    }
+}
 
-    Tree(const LightMesh& mesh, int threads)
-        : device(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
-          scene(rtcNewScene(device))
-    {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.corner.size() + 1));
-        std::memcpy(vertex, mesh.corner.data(), mesh.corner.size() * 12);
-        auto* index = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.index.size()));
-        std::copy(mesh.index.begin(), mesh.index.end(), index);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
-    }
-    ~Tree()
-    {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-
-    /// shadowed[id] = 1 for the chunk's points that are.
-    void test(const LightChunk& chunk, std::uint8_t* shadowed) const
-    {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        for (std::size_t first = 0; first < chunk.count; first += 8) {
-            alignas(32) RTCRay8 ray;
-            alignas(32) int valid[8];
-            for (std::size_t k = 0; k < 8; ++k) {
-                valid[k] = first + k < chunk.count ? -1 : 0;
-                ray.org_x[k] = ray.org_y[k] = ray.org_z[k] = 0;
-                ray.dir_x[k] = chunk.x[first + k];
-                ray.dir_y[k] = chunk.y[first + k];
-                ray.dir_z[k] = chunk.z[first + k];
-                ray.tnear[k] = 0;
-                ray.tfar[k] = 1 - 0x1p-16f;
-                ray.time[k] = 0;
-                ray.mask[k] = ~0u;
-                ray.id[k] = 0;
-                ray.flags[k] = 0;
-            }
-            rtcOccluded8(valid, scene, &context, &ray);
-            for (std::size_t k = 0; k < 8; ++k)
-                if (valid[k] && ray.tfar[k] < 0) shadowed[chunk.id[first + k]] = 1;
-        }
-    }
+struct Times {
+    std::vector<double> collect, see, sort, test, exact, map, embree;
 };
+
+/// Makes the maps as if everything had moved, and asks them for all hits.
+void run_maps(const World& world, const Settings& settings, std::span<const HitTile> tiles,
+    ShadowMaps& maps, Tasks& tasks, Buffer<float>& lit)
+{
+    maps.geometry.position.resize(0);
+    start_maps(world, tasks.threads(), maps);
+    tasks.for_each(
+        tiles.size(), [&](std::size_t k, std::size_t worker) { add_hits(tiles[k], maps, worker); });
+    update_maps(world, settings, maps, tasks);
+    const std::size_t samples = lit.size() / tiles.size();
+    for (std::size_t light = 0; light < world.lights.size(); ++light)
+        tasks.for_each(tiles.size(), [&](std::size_t k, std::size_t) {
+            look_up(maps, world, tiles[k], light, lit.data() + k * samples);
+        });
+}
+
+/// Hits whose light by the map is not that of the exact pass (of the last light).
+std::size_t count_wrong(
+    std::span<const HitTile> tiles, const LitBits& bits, const Buffer<float>& lit)
+{
+    std::size_t wrong = 0;
+    const std::size_t samples = lit.size() / tiles.size();
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+        for (const HitRun& run : tiles[tile].runs)
+            for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
+                const std::size_t bit = std::size_t(std::countr_zero(rest));
+                const bool exact =
+                    bits.words[bits.place(bits.lights - 1, tile) + run.block] >> bit & 1;
+                wrong += exact != (lit[tile * samples + run.block * 64u + bit] > 0.5f);
+            }
+    return wrong;
+}
 
 void measure(const std::string& argument, const Options& options)
 {
@@ -105,9 +106,10 @@ void measure(const std::string& argument, const Options& options)
     Tasks tasks(options.threads);
     World world;
     pose(scene, time_s, world, tasks);
-    world.lights.resize(1);
+    set_lights(options.lights, world);
     View view;
-    view.width = view.height = options.size;
+    view.width = options.width;
+    view.height = options.height;
     view.camera = scene.camera ? world.camera : framing_camera(world);
     view = checked(view);
 
@@ -115,60 +117,73 @@ void measure(const std::string& argument, const Options& options)
     Film film;
     Stats stats;
     Settings settings;
+    settings.shadow_map_size = options.map_size;
     render_frame(world, view, settings, memory, tasks, film, stats);
     const std::size_t samples = std::size_t(memory.tiles[0].size * memory.tiles[0].size);
-    const LightSpace space = light_space(world.lights[0], view.camera.eye);
+    const auto run_exact = [&] {
+        test_exact_shadows(
+            world, view.camera.eye, memory.tiles, memory.lit.exact, tasks, memory.lit.bits);
+    };
 
-    // The points of all tiles, for Embree.
-    Tree tree(memory.lit.exact.mesh, options.threads);
+    // The points of all tiles and the first light, for Embree.
+    LightMesh mesh;
+    const LightSpace space = light_space(world.lights[0], view.camera.eye);
+    see_from_light(space, world.position, scene.index, mesh, tasks);
+    const EmbreeTree tree(mesh, options.threads);
     std::vector<std::unique_ptr<LightChunk>> chunks;
     std::vector<std::uint8_t> theirs(memory.tiles.size() * samples);
+    TileReceivers receivers;
+    receivers.resize(samples);
     for (std::size_t tile = 0; tile < memory.tiles.size(); ++tile) {
         chunks.push_back(std::make_unique<LightChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
-        TileReceivers receivers;
-        receivers.resize(samples);
-        find_receivers(memory.lit.exact.mesh, memory.tiles[tile], chosen, receivers);
+        find_receivers(mesh, memory.tiles[tile], chosen, receivers);
         collect_hits(memory.tiles[tile], receivers, space, nullptr, std::uint32_t(tile * samples),
             chosen.data(), *chunks.back());
     }
 
-    std::vector<double> ours_ms, collect_ms, see_ms, sort_ms, test_ms, theirs_ms;
+    Times times;
     ShadowEffort effort;
+    ShadowMaps maps;
+    Buffer<float> lit;
+    lit.resize(memory.tiles.size() * samples);
     for (int round = 0; round < options.rounds + 2; ++round) {
-        if (round == 2)
-            for (auto* times : {&ours_ms, &collect_ms, &see_ms, &sort_ms, &test_ms, &theirs_ms})
-                times->clear();
+        if (round == 2) times = {}; // warm
         take_effort(memory.lit.exact);
         Stopwatch watch;
-        test_exact_shadows(
-            world, view.camera.eye, memory.tiles, memory.lit.exact, tasks, memory.lit.bits);
-        ours_ms.push_back(watch.lap_ms());
+        run_exact();
+        times.exact.push_back(watch.lap_ms());
         effort = take_effort(memory.lit.exact);
-        collect_ms.push_back(effort.collect_ms);
-        see_ms.push_back(effort.see_ms);
-        sort_ms.push_back(effort.sort_ms);
-        test_ms.push_back(effort.test_ms);
+        times.collect.push_back(effort.collect_ms);
+        times.see.push_back(effort.see_ms);
+        times.sort.push_back(effort.sort_ms);
+        times.test.push_back(effort.test_ms);
+        watch.lap_ms();
+        run_maps(world, settings, memory.tiles, maps, tasks, lit);
+        times.map.push_back(watch.lap_ms());
         std::fill(theirs.begin(), theirs.end(), std::uint8_t(0));
         watch.lap_ms();
-        tasks.for_each(chunks.size(),
-            [&](std::size_t tile, std::size_t) { tree.test(*chunks[tile], theirs.data()); });
-        theirs_ms.push_back(watch.lap_ms());
+        tasks.for_each(chunks.size(), [&](std::size_t tile, std::size_t) {
+            tree.test(*chunks[tile], nullptr, theirs.data());
+        });
+        times.embree.push_back(watch.lap_ms());
     }
-    std::size_t differ = 0, shadowed = 0;
-    for (std::size_t k = 0; k < theirs.size(); ++k) {
-        differ += theirs[k] != memory.lit.exact.shadowed[k];
-        shadowed += memory.lit.exact.shadowed[k];
-    }
+    std::size_t differ = 0;
+    if (options.lights == 1)
+        for (std::size_t k = 0; k < theirs.size(); ++k)
+            differ += theirs[k] != memory.lit.exact.shadowed[k];
+    const double exact = median(times.exact), map = median(times.map),
+                 embree = median(times.embree);
+    const double wrong = 100.0 * double(count_wrong(memory.tiles, memory.lit.bits, lit)) /
+                         (double(view.width) * view.height);
     const std::string name = argument.substr(argument.find_last_of('/') + 1);
-    std::printf(
-        "%-22s %9zu %9zu %9zu %7.2f %7.2f %7.2f %7.2f %8.2f %8.2f %6.2f %7zu %9zu %9zu %7zu\n",
-        name.c_str(), scene.triangle_count(), std::size_t(effort.points), shadowed,
-        median(collect_ms), median(see_ms), median(sort_ms), median(test_ms), median(ours_ms),
-        median(theirs_ms), median(theirs_ms) / median(ours_ms), differ,
-        std::size_t(effort.counts.triangles), std::size_t(effort.counts.pairs),
-        std::size_t(effort.counts.uncertain));
+    std::printf("%-22s %9zu %9zu %7.2f %6.2f %6.2f %7.2f %8.2f %8.2f %8.2f %6.2f %6.2f %7zu "
+                "%7.2f%% %9zu %10zu %7zu\n",
+        name.c_str(), scene.triangle_count(), std::size_t(effort.points), median(times.collect),
+        median(times.see), median(times.sort), median(times.test), exact, map, embree,
+        embree / exact, embree / map, differ, wrong, std::size_t(effort.counts.triangles),
+        std::size_t(effort.counts.pairs), std::size_t(effort.counts.uncertain));
     std::fflush(stdout);
 }
 
@@ -180,23 +195,34 @@ int main(int count, char** words)
     firsthit::Options options;
     for (int k = 1; k < count; ++k) {
         const std::string word = words[k];
-        if (word == "--threads" && k + 1 < count)
-            options.threads = std::atoi(words[++k]);
-        else if (word == "--rounds" && k + 1 < count)
-            options.rounds = std::max(1, std::atoi(words[++k]));
-        else if (word == "--size" && k + 1 < count)
-            options.size = std::atoi(words[++k]);
-        else
+        if (word.rfind("--", 0) != 0) {
             options.scenes.push_back(word);
+            continue;
+        }
+        const char* value = k + 1 < count ? words[++k] : "";
+        if (word == "--threads")
+            options.threads = std::atoi(value);
+        else if (word == "--rounds")
+            options.rounds = std::max(1, std::atoi(value));
+        else if (word == "--lights")
+            options.lights = std::max(1, std::atoi(value));
+        else if (word == "--map-size")
+            options.map_size = std::atoi(value);
+        else if (word != "--size" ||
+                 std::sscanf(value, "%dx%d", &options.width, &options.height) != 2) {
+            std::fprintf(stderr, "shadow_bench: %s is not understood\n", word.c_str());
+            return 2;
+        }
     }
     if (options.scenes.empty())
         options.scenes = {"builtin:torus", "builtin:robots@2.5", "builtin:wave?n=10000",
             "builtin:wave?n=100000", "builtin:wave?n=1000000", "builtin:wave?n=10000000"};
-    std::printf("%dx%d, %d thread(s), %s, medians of %d, milliseconds\n", options.size,
-        options.size, options.threads, firsthit::instruction_set().c_str(), options.rounds);
-    std::printf("%-22s %9s %9s %9s %7s %7s %7s %7s %8s %8s %6s %7s %9s %9s %7s\n", "scene",
-        "triangles", "points", "shadowed", "collect", "see", "sort", "test", "ours", "Embree",
-        "ratio", "differ", "set up", "pairs", "open");
+    std::printf("%dx%d, %d light(s), %d thread(s), %s, medians of %d, milliseconds\n",
+        options.width, options.height, options.lights, options.threads,
+        firsthit::instruction_set().c_str(), options.rounds);
+    std::printf("%-22s %9s %9s %7s %6s %6s %7s %8s %8s %8s %6s %6s %7s %8s %9s %10s %7s\n", "scene",
+        "triangles", "points", "collect", "see", "sort", "test", "exact", "map", "Embree", "exact",
+        "map", "differ", "map off", "set up", "pairs", "open");
     try {
         for (const std::string& scene : options.scenes) firsthit::measure(scene, options);
     } catch (const std::exception& error) {

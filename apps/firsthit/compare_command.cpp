@@ -24,7 +24,8 @@ constexpr const char* kExamples = R"(Examples:
 Where two casters disagree, exact arithmetic settles who is right: "ties" are different triangles at
 exactly the same depth. --json prints one object, summed over the frames:
   {"pixels", "agree", "ties", "ours_wrong", "theirs_wrong"}
---shadows exact also asks for every hit and light whether the light reaches the hit:
+--shadows exact also asks for every hit and light whether the light reaches the hit ("lit_pixels" are
+hits times lights); brute force over all triangles settles who is right:
   {..., "lit_pixels", "lit_agree", "lit_ours_wrong", "lit_theirs_wrong"}
 Exit codes: 0 done and nothing of ours is wrong, 1 failed or something is, 2 wrong usage.)";
 

@@ -109,23 +109,26 @@ void add_light_options(CLI::App& app, LightOptions& options)
         ->type_name("LIGHT")
         ->allow_extra_args(false);
     add_parsed(app, "--shadows", options.shadows, parse_shadows, "none|map|exact",
-        "map: shadow maps; exact: as a shadow ray for every sample and light; default exact");
+        "none: every light reaches everything; map: shadow maps, quicker and approximate; exact: "
+        "what a "
+        "shadow ray for every sample and light says; default exact");
     const auto integer = [](int low, int high) {
         return [low, high](const std::string& text) { return parse_integer(text, low, high); };
     };
     add_parsed(app, "--shadow-map-size", options.shadow_map_size, integer(16, 16384), "N",
-        "Texels on a shadow map's side, 16 to 16384; default by the camera, the picture and the "
-        "light");
+        "Texels on a shadow map's longer side, 16 to 16384; default by the camera, the picture and "
+        "the light");
     const auto bias = [](const std::string& text) {
         const double value = parse_number(text);
         if (value >= 0) return value;
         throw UsageError(fmt::format("'{}' is below 0", text));
     };
     add_parsed(app, "--shadow-bias", options.shadow_bias, bias, "X",
-        "What a shadow map's depth has to differ by, world units, 0 or above; default by its "
-        "texels");
+        "How much nearer to the light a shadow map's depth has to be than a point to shadow it, "
+        "world "
+        "units, 0 or above; default by its texels and the surface");
     add_parsed(app, "--shadow-filter", options.shadow_filter, integer(1, 15), "N",
-        "N x N texels of a shadow map are compared, 1 to 15; default 1: hard borders");
+        "Soften the borders of shadow maps: N x N texels are compared, 1 to 15; default 1: hard");
 }
 
 void check(const LightOptions& options)

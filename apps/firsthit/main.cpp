@@ -22,10 +22,10 @@ namespace {
 constexpr const char* kFooter = R"(Examples:
   firsthit render builtin:torus -o torus.png
   firsthit info bunny.stl
-  firsthit compare builtin:torus --against brute
-  firsthit occlusion city.ply --points facade.npy --direction -1,-2,0.5 -o shade.npy
+  firsthit compare builtin:torus --against brute --shadows exact
+  firsthit occlusion bunny.stl --points points.npy --direction -1,-2,0.5 -o shade.npy
 
-`firsthit COMMAND --help` tells more.)";
+`firsthit COMMAND --help` tells more. Exit codes: 0 done, 1 failed, 2 wrong usage.)";
 
 int fail(int exit_code, const std::string& message)
 {
@@ -35,7 +35,8 @@ int fail(int exit_code, const std::string& message)
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Ray-traced pictures of moving triangle scenes, exact to the pixel.", "firsthit");
+    CLI::App app("Ray-traced pictures of moving triangle scenes with shadows, exact to the pixel.",
+        "firsthit");
     app.set_version_flag("--version", "firsthit " + version());
     app.require_subcommand(1);
     app.footer(kFooter);
@@ -46,10 +47,10 @@ int run(int argc, char** argv)
     OcclusionOptions occlusion;
     CLI::App* render_command = app.add_subcommand("render", "Make pictures and planes of a scene");
     CLI::App* info_command = app.add_subcommand("info", "Tell what is in a scene");
-    CLI::App* compare_command =
-        app.add_subcommand("compare", "Hold items and shadows against another ray caster");
+    CLI::App* compare_command = app.add_subcommand(
+        "compare", "Hold visible triangles and shadows against another ray caster's");
     CLI::App* occlusion_command =
-        app.add_subcommand("occlusion", "Find out which points of any set lights do not reach");
+        app.add_subcommand("occlusion", "Find out which of given points the lights do not reach");
     add_render_options(*render_command, render);
     add_info_options(*info_command, info);
     add_compare_options(*compare_command, compare);

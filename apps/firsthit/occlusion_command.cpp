@@ -27,9 +27,10 @@ namespace firsthit::cli {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  firsthit occlusion city.ply --points facade.npy --direction -1,-2,0.5 -o shade.npy
-  firsthit occlusion city.ply --points facade.npy --directions sky.npy --packed -o sky_bits.npy
-  firsthit occlusion builtin:robots --time 3 --points pts.npy --light 0,2,0 --stats -o hidden.npy
+  python3 -c 'import numpy; numpy.save("points.npy", [[-1.2, 0.6, 0.6], [-1.3, 0.6, -1]])'
+  firsthit occlusion builtin:robots --points points.npy --direction -1,-2,0.5 -o shade.npy
+  firsthit occlusion builtin:robots --points points.npy --light 9,16,7 --time 3 --json -o dark.npy
+  firsthit occlusion bunny.stl --points points.npy --directions sky.npy --packed -o sky_bits.npy
 
 Points are float32 or float64 (N, 3), rounded to float32: subtract what is large from scene and
 points before. Directions are the way the light travels, float32 or float64 (L, 3). The output is
@@ -137,21 +138,24 @@ void write(const OcclusionOptions& options, const std::vector<std::uint8_t>& bit
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options)
 {
     add_scene_options(app, options.scene);
-    app.add_option("--points", options.points, "A NumPy array of points, world space")
+    app.add_option("--points", options.points, "A NumPy array of points (N, 3), world space")
         ->type_name("FILE.npy")
         ->required();
     CLI::Option* direction = add_lights(app, "--direction", options.lights, parse_direction,
         "x,y,z", "The way parallel light travels, any length; may be repeated");
-    CLI::Option* directions =
-        app.add_option("--directions", options.directions, "A NumPy array of such directions")
-            ->type_name("FILE.npy");
+    CLI::Option* directions = app.add_option("--directions", options.directions,
+                                     "A NumPy array of such directions (L, 3)")
+                                  ->type_name("FILE.npy");
     CLI::Option* light = add_lights(app, "--light", options.lights, parse_point_or_light, "x,y,z",
-        "Where a light is, or a light as `firsthit render` takes it; may be repeated");
+        "Where a light is, or a light as `firsthit render --light` takes it; may be repeated");
     direction->excludes(directions)->excludes(light);
     light->excludes(directions);
-    app.add_option("--receivers", options.receivers, "A NumPy array: the triangle of each point")
+    app.add_option("--receivers", options.receivers,
+           "A NumPy array (N,): the triangle that each point lies on")
         ->type_name("FILE.npy");
-    app.add_option("-o,--output", options.output, "The answers")->type_name("FILE.npy")->required();
+    app.add_option("-o,--output", options.output, "The answers: 1 occluded, 0 not")
+        ->type_name("FILE.npy")
+        ->required();
     app.add_flag("--packed", options.packed, "Write bits, eight points a byte");
     add_parsed(app, "--time", options.time_s, parse_number, "S",
         "Seconds; default the begin of the scene's animation");

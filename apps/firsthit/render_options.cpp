@@ -22,9 +22,9 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   firsthit render builtin:torus -o torus.png
   firsthit render bunny.stl -o bunny.png --eye 0,0.12,0.3 --size 1920x1080 --samples 2
-  firsthit render bunny.stl --aov item=item.npy --aov depth=depth.exr
+  firsthit render bunny.stl --aov item=item.npy --aov depth=depth.exr --aov lit=lit.npy
   firsthit render builtin:robots --frames 0:10:251 -o robots_%04d.png --stats
-  firsthit render builtin:torus -o spot.png --light spot:2,5,3,-2,-5,-3,40,30 --aov lit=lit.npy
+  firsthit render builtin:robots -o spot.png --light spot:0,7,0,0,-1,0,90,60
   firsthit render builtin:torus -o sun.png --light directional:-1,-3,-1 --light point:0,4,0
   firsthit render builtin:robots -o maps.png --shadows map --shadow-map-size 2048 --shadow-filter 3
 
@@ -38,7 +38,7 @@ Pictures are .png (8 bit, sRGB) or .exr (float, linear); planes are .exr or .npy
   position          world space
   albedo            diffuse colour times texture, linear
   barycentric       u, v: weights of the triangle's corners 1 and 2
-  lit               a channel for each light: the share that shadows leave, 0 to 1
+  lit               a channel for each light: the share that shadows leave, 0 to 1; none = 0
 Planes are of the ray through the pixel's centre, never blended. Row 0 is the top.
 
 FIRSTHIT_ISA in the environment (AVX2, SSE4, ...) lowers the instruction set; results stay the same.

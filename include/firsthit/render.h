@@ -39,9 +39,9 @@ struct Stats {
     double setup_ms = 0; // vertices to the view, triangles to tiles
     double raster_ms = 0;
     double resolve_ms = 0;
-    double shadow_ms = 0; // which lights reach what is seen, on all threads; of this, exactly:
+    double shadow_ms = 0;         // which lights reach what is seen; of exact shadows the parts:
     double shadow_collect_ms = 0; // hits to points in the lights' spaces
-    double shadow_sort_ms = 0;    // points and triangles into the lights' cells
+    double shadow_sort_ms = 0;    // vertices to the lights' spaces, points and triangles into cells
     double shadow_test_ms = 0;    // triangles over points
     double shade_ms = 0;
     double write_ms = 0; // filled in by who writes
@@ -54,8 +54,8 @@ struct Stats {
     std::uint64_t ambiguous_lanes = 0;  // depth order that the float filter left open
     std::uint64_t exact_calls = 0;      // answered by expansion arithmetic
     std::uint64_t hits = 0;             // samples with an item
-    std::uint64_t shadow_points = 0;    // (hit, light) pairs whose light was asked for
-    std::uint64_t shadow_triangles = 0; // (triangle, light) pairs that may shadow a point
+    std::uint64_t shadow_points = 0;    // exact: (hit, light) pairs that a shadow ray decides
+    std::uint64_t shadow_triangles = 0; // triangles set up, once for each light and cell of points
     std::uint64_t shadow_pairs = 0;     // tests of a triangle against a point
     std::uint64_t shadow_uncertain = 0; // of these, left open by the float filter
     std::uint64_t map_updates = 0;      // shadow maps made anew

@@ -102,7 +102,7 @@ struct Part {
     Deform deform; // set: writes the part's vertices, the arrays of the scene are unused
 };
 
-/// A light without fall-off, as in the paper's scenes.
+/// A light that does not fade with distance.
 struct Light {
     enum class Kind {
         point,       // from a position to all sides

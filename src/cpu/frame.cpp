@@ -145,12 +145,12 @@ void prepare(const Pass& pass, int tile_size, const World& world, const View& vi
 {
     while (int(memory.workers.size()) < tasks.threads())
         memory.workers.push_back(std::make_unique<TileWorker>());
-    const std::size_t lit_samples =
-        pass.shadows ? world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size) : 0;
     for (const auto& worker : memory.workers) {
-        worker->lit.resize(lit_samples);
         resize(worker->items, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
+        if (pass.shadows)
+            worker->lit.resize(
+                world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size));
     }
     resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
 }

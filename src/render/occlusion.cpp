@@ -15,13 +15,20 @@ namespace firsthit {
 struct Occlusion::Impl {
     explicit Impl(int threads) : tasks(threads) { select_instruction_set(); }
 
+    /// The points of the next tests.
+    void take(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
+        std::size_t lights)
+    {
+        make_point_set(points, receivers, lights > 1, set, tasks);
+    }
+
     void test(const World& world, std::span<const glm::vec3> points, const Light& light,
-        std::span<const std::uint32_t> receivers, std::span<std::uint8_t> occluded)
+        std::span<std::uint8_t> occluded)
     {
         if (points.empty()) return;
         // Points are given as they are: no eye has rounded them.
         const LightSpace space = light_space(light, glm::dvec3(0));
-        test_points(world, space, points, receivers, memory, tasks, occluded);
+        test_points(world, space, set, memory, tasks, occluded);
         if (light.kind != Light::Kind::spot) return;
         const SpotCone cone = spot_cone(light);
         tasks.for_ranges(points.size(), 16384, [&](std::size_t first, std::size_t last) {
@@ -33,6 +40,7 @@ struct Occlusion::Impl {
     }
 
     Tasks tasks;
+    PointSet set;
     ShadowMemory memory;
     std::vector<std::uint8_t> row; // of one light
 };
@@ -45,7 +53,8 @@ void Occlusion::test(const World& world, std::span<const glm::vec3> points, cons
 {
     check_occlusion(world, points.size(), {&light, 1}, receivers);
     occluded.resize(points.size());
-    impl_->test(world, points, light, receivers, occluded);
+    impl_->take(points, receivers, 1);
+    impl_->test(world, points, light, occluded);
 }
 
 void Occlusion::test(const World& world, std::span<const glm::vec3> points,
@@ -53,8 +62,9 @@ void Occlusion::test(const World& world, std::span<const glm::vec3> points,
 {
     check_occlusion(world, points.size(), lights, receivers);
     impl_->row.resize(points.size());
+    impl_->take(points, receivers, lights.size());
     for (std::size_t k = 0; k < lights.size(); ++k) {
-        impl_->test(world, points, lights[k], receivers, impl_->row);
+        impl_->test(world, points, lights[k], impl_->row);
         answers(k, impl_->row);
     }
 }

@@ -6,36 +6,12 @@
 #include "hits/hit_position-inl.h"
 #include "hits/spot_cone-inl.h"
 #include "shadow/collect_hits.h"
+#include "shadow/to_light-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
-
-using Wide = hn::CappedTag<double, 8>;
-using Narrow = hn::Rebind<float, Wide>;
-
-/// to_light (exact/shadow_ray.h), the same bits.
-HWY_INLINE real3 to_light(const LightSpace& space, real3 p)
-{
-    if (!space.directional) return p - from_glm(space.origin);
-    alignas(64) float x[kLanes], y[kLanes], z[kLanes];
-    store(p.x, x), store(p.y, y), store(p.z, z);
-    const Wide d;
-    const Narrow f;
-    for (int k = 0; k < kLanes; k += int(hn::Lanes(d))) {
-        const auto wide = [&](const float* v) { return hn::PromoteTo(d, hn::Load(f, v + k)); };
-        const auto px = wide(x), py = wide(y), pz = wide(z);
-        const auto row = [&](int r, float* to) {
-            const auto xy = hn::Add(hn::Mul(hn::Set(d, space.axes[0][r]), px),
-                hn::Mul(hn::Set(d, space.axes[1][r]), py));
-            const auto sum = hn::Add(xy, hn::Mul(hn::Set(d, space.axes[2][r]), pz));
-            hn::Store(hn::DemoteTo(f, sum), f, to + k);
-        };
-        row(0, x), row(1, y), row(2, z);
-    }
-    return real3(load(x), load(y), load(z));
-}
 
 /// lifted (exact/shadow_ray.h), the same bits.
 HWY_INLINE real3 lifted(

@@ -8,43 +8,27 @@
 
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace firsthit {
 namespace {
 
-/// How far behind its item's plane a hit may be, in margins: with u = 2^-24 and all that is rounded
-/// on the way from the eye's rays to the light taken at its worst, 30 u for each of the point's and
-/// the light's and eye's largest coordinates, and 4 u for the corners', against 8 u of a margin.
-/// That is far more than what happens; only lengths that underflow are off by more.
-double most_own_margins(const LightSpace& space)
-{
-    return space.reach > 0x1p-100f ? 8 : std::numeric_limits<double>::infinity();
-}
-
 /// The points behind the ids: number of a sample in all tiles.
 class HitPoints : public LightPoints {
   public:
-    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh)
-        : tiles_(tiles),
-          mesh_(mesh),
-          size_(std::uint32_t(tiles[0].size))
+    HitPoints(std::span<const HitTile> tiles, const LightMesh& mesh) : tiles_(tiles), mesh_(mesh)
     {
-        own_margins = most_own_margins(mesh.space);
-    }
-
-    bool lies_on(std::uint32_t id, std::uint32_t triangle) const override
-    {
-        return tile_of(id).item[place_in_tile(id)] == triangle;
+        item = tiles[0].item;
+        ids_rise = true;
     }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
-        const HitTile& tile = tile_of(id);
-        const std::uint32_t at = place_in_tile(id), block = at / kBlockSamples;
-        const std::uint32_t blocks_x = size_ / kBlock;
+        const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
+        const HitTile& tile = tiles_[id / samples];
+        const std::uint32_t at = id % samples, block = at / kBlockSamples;
+        const std::uint32_t blocks_x = size / kBlock;
         const int k = int(at % kBlockSamples);
         const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
                     y = float(block / blocks_x * kBlock) + float(block_y(k));
@@ -53,12 +37,8 @@ class HitPoints : public LightPoints {
     }
 
   private:
-    const HitTile& tile_of(std::uint32_t id) const { return tiles_[id / (size_ * size_)]; }
-    std::uint32_t place_in_tile(std::uint32_t id) const { return id % (size_ * size_); }
-
     std::span<const HitTile> tiles_;
     const LightMesh& mesh_;
-    std::uint32_t size_; // of a tile
 };
 
 /// Takes the samples that are shadowed out of the words.
@@ -110,7 +90,8 @@ ShadowEffort take_effort(ShadowMemory& memory)
     return std::exchange(memory.effort, {});
 }
 
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
+void test_chunks(
+    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     const std::size_t chunks = memory.patches.size();
     ShadowEffort& effort = memory.effort;
@@ -132,7 +113,7 @@ void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks)
         sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
             memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
-        test_face(memory.mesh, points, memory.irregular, tasks, memory.shadowed.span());
+        test_face(memory.mesh, points, memory.irregular, tasks, shadowed);
         effort.test_ms += watch.lap_ms();
     }
 }
@@ -166,7 +147,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         memory.effort.collect_ms += watch.lap_ms();
-        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks);
+        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
         watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
             remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,

@@ -52,18 +52,19 @@ ShadowEffort take_effort(ShadowMemory& memory);
 /// Room for what the workers need.
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
 
-/// Tests the samples of all chunks: memory.shadowed of those that are. memory.mesh, samples and
-/// parts are filled in.
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks);
+/// Tests the samples of all chunks: shadowed[id] = 1 for those that a triangle shadows. A chunk is
+/// the points that were collected together: those of a tile, or some that are no pixels. memory.mesh,
+/// samples and parts are filled in.
+void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed);
 
 /// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
 /// a tile's light belongs to its block k.
 struct LitBits {
     Buffer<std::uint64_t> words; // (lights, tiles, blocks)
+    std::size_t lights = 0;
     std::size_t tiles = 0;
     std::size_t blocks = 0; // of a tile
-
-    std::size_t lights = 0;
 
     std::size_t place(std::size_t light, std::size_t tile) const
     {
@@ -75,8 +76,8 @@ struct LitBits {
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
 /// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
-/// on the side of the item's plane that the eye is on, inside a spot's cone, and no other triangle
-/// shadows it (exact/shadow_ray.h).
+/// on the side of the item's plane that the eye is on, the hit is inside a spot's cone, and no other
+/// triangle shadows it (exact/shadow_ray.h).
 /// eye    where the hits were seen from
 /// tiles  of one picture part, all of one size, whose items lie one behind the other
 void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,

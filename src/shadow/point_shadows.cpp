@@ -1,6 +1,7 @@
 // point_shadows.cpp - shadows of points that are no pixels.
 #include "shadow/point_shadows.h"
 
+#include "base/stopwatch.h"
 #include "shadow/lift_points.h"
 
 #include <algorithm>
@@ -8,54 +9,49 @@
 namespace firsthit {
 namespace {
 
-constexpr std::size_t kChunk = 4096; // points
+constexpr std::size_t kChunk = 1024; // points: small enough for many to lie behind one wall
 
 class GivenPoints : public LightPoints {
   public:
-    GivenPoints(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
-        const LightMesh& mesh)
-        : points_(points),
-          mesh_(mesh)
+    GivenPoints(const PointSet& points, const LightMesh& mesh) : points_(points), mesh_(mesh)
     {
-        if (!receivers.empty()) item = receivers.data();
+        if (!points.receivers.empty()) item = points.receivers.data();
     }
 
     glm::vec3 in_light_space(std::uint32_t id) const override
     {
-        return lift_point(mesh_, item ? item[id] : kNoItem, to_light(mesh_.space, points_[id]));
+        return lift_point(
+            mesh_, item ? item[id] : kNoItem, to_light(mesh_.space, points_.given[id]));
     }
 
   private:
-    std::span<const glm::vec3> points_;
+    const PointSet& points_;
     const LightMesh& mesh_;
 };
 
 } // namespace
 
-void test_points(const World& world, const LightSpace& space, std::span<const glm::vec3> points,
-    std::span<const std::uint32_t> receivers, ShadowMemory& memory, Tasks& tasks,
-    std::span<std::uint8_t> shadowed)
+void test_points(const World& world, const LightSpace& space, const PointSet& points,
+    ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
-    const std::size_t chunks = (points.size() + kChunk - 1) / kChunk;
+    const std::size_t count = points.given.size();
+    const std::size_t chunks = (count + kChunk - 1) / kChunk;
     resize(memory, chunks, kChunk, tasks.threads());
+    Stopwatch watch;
     see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+    memory.effort.see_ms += watch.lap_ms();
     tasks.for_each(chunks, [&](std::size_t number, std::size_t worker) {
         LightChunk& chunk = memory.workers[worker]->chunk;
         const std::size_t first = number * kChunk;
-        chunk.count = std::min(kChunk, points.size() - first);
-        for (std::size_t k = 0; k < chunk.count; ++k) {
-            const glm::vec3 d = to_light(space, points[first + k]);
-            chunk.x[k] = d.x, chunk.y[k] = d.y, chunk.z[k] = d.z;
-            chunk.id[k] = std::uint32_t(first + k);
-        }
-        if (!receivers.empty())
-            lift_points(memory.mesh, receivers.data() + first, std::uint32_t(first), chunk);
+        chunk.count = std::min(kChunk, count - first);
+        std::fill_n(shadowed.data() + first, chunk.count, std::uint8_t(0));
+        move_points(points, space, first, chunk);
+        if (!points.receivers.empty()) lift_points(memory.mesh, points.receivers.data(), 0, chunk);
         see_points(
             space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
-        std::fill_n(memory.shadowed.data() + first, kChunk, std::uint8_t(0));
     });
-    test_chunks(GivenPoints(points, receivers, memory.mesh), memory, tasks);
-    std::copy_n(memory.shadowed.data(), points.size(), shadowed.data());
+    memory.effort.collect_ms += watch.lap_ms();
+    test_chunks(GivenPoints(points, memory.mesh), memory, tasks, shadowed);
 }
 
 } // namespace firsthit

@@ -107,8 +107,69 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
     });
 }
 
-bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
-    IrregularCells& cells, Tasks& tasks)
+namespace {
+
+constexpr int kManyCells = 9; // from these on the edges are asked
+
+/// The edges of a triangle as its face sees it, for cells that lie outside of one. Its corners and
+/// the samples are rounded: an edge counts as further out by kRoom of the largest coordinate.
+class EdgeTest {
+  public:
+    EdgeTest(const LightMesh& mesh, std::uint32_t triangle, const CellGrid& grid)
+        : x0_(grid.x0),
+          y0_(grid.y0),
+          width_(1 / double(grid.scale_x)), // infinite where all columns are one: nothing is asked
+          height_(1 / double(grid.scale_y))
+    {
+        const glm::uvec3& index = mesh.index[triangle];
+        const SeenPoint corner[3] = {mesh.seen[index.x], mesh.seen[index.y], mesh.seen[index.z]};
+        const auto dx = [&](int a, int b) { return double(corner[b].x) - double(corner[a].x); };
+        const auto dy = [&](int a, int b) { return double(corner[b].y) - double(corner[a].y); };
+        const double area = dx(0, 1) * dy(0, 2) - dy(0, 1) * dx(0, 2);
+        double largest =
+            std::max(std::abs(x0_) + width_ * grid.columns, std::abs(y0_) + height_ * grid.rows);
+        for (const SeenPoint& c : corner)
+            largest = std::max({largest, double(std::abs(c.x)), double(std::abs(c.y))});
+        const double size =
+            std::abs(dx(0, 1)) + std::abs(dy(0, 1)) + std::abs(dx(0, 2)) + std::abs(dy(0, 2));
+        // Nothing is asked where roundings might have turned the triangle over, nor where a corner
+        // is behind the face, and so no number: the comparison is false then.
+        if (!(largest < 1e30 && std::abs(area) > 4 * kRoom * largest * size)) return;
+        const double side = area < 0 ? -1 : 1;
+        for (int k = 0; k < 3; ++k) {
+            const int next = (k + 1) % 3;
+            Edge& e = edge_[k];
+            e.nx = -side * dy(k, next);
+            e.ny = side * dx(k, next);
+            e.c = -(e.nx * double(corner[k].x) + e.ny * double(corner[k].y)) +
+                  kRoom * largest * (std::abs(e.nx) + std::abs(e.ny));
+        }
+    }
+
+    /// Whether the cell lies outside of an edge.
+    bool misses(std::size_t column, std::size_t row) const
+    {
+        const double x = x0_ + width_ * double(column), y = y0_ + height_ * double(row);
+        for (const Edge& e : edge_)
+            if (e.nx * (e.nx > 0 ? x + width_ : x) + e.ny * (e.ny > 0 ? y + height_ : y) + e.c < 0)
+                return true;
+        return false;
+    }
+
+  private:
+    static constexpr double kRoom = 0x1p-18;
+
+    struct Edge {
+        double nx = 0, ny = 0, c = 0; // inside: nx x + ny y + c >= 0
+    };
+    Edge edge_[3];
+    double x0_, y0_, width_, height_;
+};
+
+} // namespace
+
+bool sort_triangles(const LightMesh& mesh, std::span<const SeenTriangle> from,
+    std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks)
 {
     cells.rect_of.resize(from.size() + 16);
     tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
@@ -118,15 +179,23 @@ bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRa
     });
     const std::size_t columns = std::size_t(cells.grid.columns);
     const CellRect* rects = cells.rect_of.data();
-    const auto for_cells = [=](std::size_t k, const auto& f) {
+    const auto for_cells = [&, rects, columns](std::size_t k, const auto& f) {
         const CellRect rect = rects[k];
         if (rect.column0 == rect.column1 && rect.row0 == rect.row1) { // most small triangles
             f(rect.row0 * columns + rect.column0);
             return;
         }
+        if ((rect.column1 - rect.column0 + 1) * (rect.row1 - rect.row0 + 1) < kManyCells) {
+            for (std::size_t row = rect.row0; row <= rect.row1; ++row)
+                for (std::size_t column = rect.column0; column <= rect.column1; ++column)
+                    f(row * columns + column);
+            return;
+        }
+        if (rect.column0 > rect.column1) return;
+        const EdgeTest edges(mesh, from[k].triangle, cells.grid);
         for (std::size_t row = rect.row0; row <= rect.row1; ++row)
             for (std::size_t column = rect.column0; column <= rect.column1; ++column)
-                f(row * columns + column);
+                if (!edges.misses(column, row)) f(row * columns + column);
     };
     return bin_seen(from, ranges, std::size_t(cells.grid.cells()), for_cells, cells.seen, tasks);
 }

@@ -68,8 +68,10 @@ struct IrregularCells {
 void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
-/// Copies each triangle that may shadow a sample to all cells that its box meets, see bin_seen.
-bool sort_triangles(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
-    IrregularCells& cells, Tasks& tasks);
+/// Copies each triangle that may shadow a sample to all cells that it may meet: those of its box, or
+/// of a triangle over many cells only those that all its edges leave open. Returns what bin_seen
+/// does.
+bool sort_triangles(const LightMesh& mesh, std::span<const SeenTriangle> from,
+    std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// irregular_covers.cpp - large triangles that shadow whole patches of samples.
+// irregular_covers.cpp - large triangles that shadow whole patches and cells of samples.
 //
 // A triangle shadows every point of a box of the face, between two depths, where its edges are
 // positive at the box's corners and it is nearer to the light there than the nearest point, by more
@@ -72,8 +72,7 @@ RoundedVector corner_product(const dvec3& a, const dvec3& b)
     return {n, glm::abs(n)};
 }
 
-bool shadows_box(
-    const LightMesh& mesh, std::uint32_t triangle, const SampleBounds& bounds, double own_margins)
+bool shadows_box(const LightMesh& mesh, std::uint32_t triangle, const SampleBounds& bounds)
 {
     const bool directional = mesh.space.directional;
     const Corners corners = mesh.corners(triangle);
@@ -101,10 +100,10 @@ bool shadows_box(
             std::abs(double(bounds.y0)), std::abs(double(bounds.y1)), std::abs(nearest),
             std::abs(double(bounds.farthest_w))});
     const double per_margin = directional ? 1 : nearest;
-    const double margin =
-        own_margins * (double(kShadowMargin) * 2 * largest +
-                          per_margin * (double(kShadowMargin) * double(mesh.space.reach) +
-                                           double(corner_margin(corners)) + kMarginUnderflow));
+    const double margin = double(kShadowMargin) * 2 * largest +
+                          (double(kShadowMargin) * double(mesh.space.reach) +
+                              double(corner_margin(corners)) + kMarginUnderflow) *
+                              per_margin;
     const double length = n.size.x + n.size.y + n.size.z; // or a little more
     for (const Place& at : places) {
         const Rounded height =
@@ -118,14 +117,20 @@ bool shadows_box(
     return true;
 }
 
-/// Whether a sample of the patch lies on the triangle. Its ids rise, so all lie between two.
+/// Whether one of the samples lies on the triangle.
 bool is_item(
     std::uint32_t triangle, std::span<const IrregularSample> samples, const LightPoints& points)
 {
     if (!points.item) return false;
     bool found = false;
-    for (std::size_t id = samples.front().id; id <= samples.back().id; ++id)
-        found |= points.item[id] == triangle;
+    const std::size_t between = samples.back().id - std::size_t(samples.front().id);
+    if (points.ids_rise && between < 4 * samples.size()) {
+        // All lie between two: no need to look at each sample.
+        for (std::size_t id = samples.front().id; id <= samples.back().id; ++id)
+            found |= points.item[id] == triangle;
+    } else {
+        for (const IrregularSample& sample : samples) found |= points.item[sample.id] == triangle;
+    }
     return found;
 }
 
@@ -155,17 +160,15 @@ CoverList find_covers(
     return covers;
 }
 
-bool is_covered(const LightMesh& mesh, const CoverList& covers, const SamplePatch& patch,
+bool is_covered(const LightMesh& mesh, const CoverList& covers, const SampleBounds& b,
     std::span<const IrregularSample> samples, const LightPoints& points)
 {
-    const SampleBounds& b = patch.bounds;
     if (!std::isfinite(b.farthest_w) || !std::isfinite(b.nearest_w)) return false;
     for (int k = 0; k < covers.count; ++k) {
         const SeenTriangle& seen = covers.triangle[std::size_t(k)];
         const bool around =
             seen.x0 <= b.x0 && seen.x1 >= b.x1 && seen.y0 <= b.y0 && seen.y1 >= b.y1;
-        if (around && seen.nearest_w > b.nearest_w &&
-            shadows_box(mesh, seen.triangle, b, points.own_margins) &&
+        if (around && seen.nearest_w > b.nearest_w && shadows_box(mesh, seen.triangle, b) &&
             !is_item(seen.triangle, samples, points))
             return true;
     }

@@ -1,4 +1,4 @@
-// irregular_covers.h - large triangles that shadow whole patches of samples: a roof, a wall.
+// irregular_covers.h - large triangles that shadow whole patches and cells: a roof, a wall.
 #pragma once
 
 #include "visibility/irregular_leaf.h"
@@ -15,15 +15,17 @@ struct CoverList {
     static constexpr int kMost = 16;
     std::array<SeenTriangle, kMost> triangle;
     int count = 0;
+
+    std::span<const SeenTriangle> span() const { return {triangle.data(), std::size_t(count)}; }
 };
 
 /// ranges  into mesh.in_view
 CoverList find_covers(
     const LightMesh& mesh, std::span<const SampleRange> ranges, const SampleBounds& bounds);
 
-/// Whether one of the triangles certainly shadows all samples of a patch, none of which lies on it.
-/// samples  of the patch, ids rising
-bool is_covered(const LightMesh& mesh, const CoverList& covers, const SamplePatch& patch,
+/// Whether one of the triangles certainly shadows all samples, none of which lies on it.
+/// bounds  of the samples
+bool is_covered(const LightMesh& mesh, const CoverList& covers, const SampleBounds& bounds,
     std::span<const IrregularSample> samples, const LightPoints& points);
 
 } // namespace firsthit

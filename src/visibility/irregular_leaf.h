@@ -19,14 +19,11 @@ class LightPoints {
     /// The point in the light's space.
     virtual glm::vec3 in_light_space(std::uint32_t id) const = 0;
 
-    /// Whether the point lies on the triangle, which then does not shadow it. Asked only where the
-    /// point is behind its plane by at most own_margins margins (exact/shadow_ray.h).
-    virtual bool lies_on(std::uint32_t /*id*/, std::uint32_t /*triangle*/) const { return false; }
-    double own_margins = 1;
-
-    /// The triangle that each point lies on, however far away: never asked for, it does not shadow
-    /// the point; or null.
+    /// The triangle each point lies on, by id, which does not shadow it; or null.
     const std::uint32_t* item = nullptr;
+
+    /// Samples that come together have rising ids.
+    bool ids_rise = false;
 };
 
 /// How much work the samples took.
@@ -63,9 +60,12 @@ struct LeafBatch {
 
 /// One worker's memory, and its samples while it is at a cell.
 struct LeafMemory {
-    Buffer<float> x, y, w; // offsets from the middle; whole groups
-    Buffer<std::uint32_t> item;
+    Buffer<float> x, y, w;          // offsets from the middle; whole groups
+    Buffer<std::uint32_t> item;     // of the groups whose has_item is set
+    Buffer<std::uint8_t> has_item;  // (groups)
     Buffer<std::uint16_t> shadowed; // (groups) a bit for each sample
+    Buffer<float> group_x, group_y; // (groups) middle of each group
+    Buffer<float> reach_x, reach_y; // (groups) how far its samples lie from there, at most
     Buffer<OverlapTable> table;     // (chunks) of 64 groups
     LeafBatch batch;
     ShadowCounts counts;
@@ -84,10 +84,17 @@ struct LeafMemory {
 /// Room for cells of so many samples.
 void reserve(LeafMemory& memory, std::size_t samples);
 
-/// Finds out which samples of one cell are shadowed: shadowed[id] = 1 for these, no other is
+/// One cell.
+struct LeafWork {
+    std::span<const IrregularSample> samples;
+    SampleBounds bounds; // of the samples
+    std::span<const SeenTriangle> triangles;
+    std::span<const SeenTriangle> first; // large ones of the face: what they shadow is done with
+};
+
+/// Finds out which samples of the cell are shadowed: shadowed[id] = 1 for these, no other is
 /// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
-void test_leaf(const LightMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SeenTriangle> triangles, const LightPoints& points, LeafMemory& memory,
-    std::span<std::uint8_t> shadowed);
+void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,
+    LeafMemory& memory, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit

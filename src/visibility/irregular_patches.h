@@ -28,8 +28,8 @@ struct PatchMemory {
     SeenBins seen;               // by patch
 };
 
-/// Copies each triangle to all patches whose samples it may shadow, see bin_seen. memory.patches
-/// are given.
+/// Copies each triangle to all patches whose samples it may shadow. memory.patches are given.
+/// Returns what bin_seen does.
 bool bin_patches(std::span<const SeenTriangle> from, std::span<const SampleRange> ranges,
     const SampleBounds& all, PatchMemory& memory, Tasks& tasks);
 

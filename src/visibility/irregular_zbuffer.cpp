@@ -1,31 +1,33 @@
 // irregular_zbuffer.cpp - which points can a light not see?
 #include "visibility/irregular_zbuffer.h"
 
-#include "visibility/irregular_covers.h"
-
 namespace firsthit {
 namespace {
 
 constexpr std::size_t kCellSamples = 768;   // wanted in a cell
 constexpr std::size_t kManySamples = 4096;  // more than these are divided again
 constexpr std::size_t kManyTriangles = 128; // where there are more than these triangles
-constexpr std::size_t kSpareCells = 64;     // more than a grid has beyond those wanted, mostly
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
-void sort(std::span<const IrregularSample> samples, std::span<const SampleRange> sample_ranges,
-    std::size_t sample_count, std::span<const SeenTriangle> triangles,
-    std::span<const SampleRange> triangle_ranges, const SampleBounds& bounds, IrregularCells& cells,
-    Tasks& tasks)
+void sort(const LightMesh& mesh, std::span<const IrregularSample> samples,
+    std::span<const SampleRange> sample_ranges, std::size_t sample_count,
+    std::span<const SeenTriangle> triangles, std::span<const SampleRange> triangle_ranges,
+    const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
 {
     cells.bounds = bounds;
     if (sample_count == 0) triangle_ranges = {};
     std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
         cells.grid = cell_grid(bounds, wanted);
-        if (sort_triangles(triangles, triangle_ranges, cells, tasks)) break;
+        if (sort_triangles(mesh, triangles, triangle_ranges, cells, tasks)) break;
     }
     sort_samples(samples, sample_ranges, cells, tasks);
+}
+
+void mark(std::span<const IrregularSample> samples, std::span<std::uint8_t> shadowed)
+{
+    for (const IrregularSample& sample : samples) shadowed[sample.id] = 1;
 }
 
 bool is_divided(const IrregularCells& cells, std::size_t cell)
@@ -35,26 +37,32 @@ bool is_divided(const IrregularCells& cells, std::size_t cell)
 }
 
 /// A cell by itself, or divided into smaller ones.
-void test_cell(const LightMesh& mesh, const IrregularCells& cells, std::size_t cell, int level,
-    const LightPoints& points, CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
+void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCells& cells,
+    std::size_t cell, int level, const LightPoints& points, CellWorker& worker, Tasks& serial,
+    std::span<std::uint8_t> shadowed)
 {
     const auto samples = cells.samples_of(cell);
     const auto triangles = cells.seen.of(cell);
     if (samples.empty() || triangles.empty()) return;
+    const SampleBounds bounds = bounds_of(samples);
+    if (is_covered(mesh, covers, bounds, samples, points)) {
+        mark(samples, shadowed);
+        return;
+    }
     if (level == kCellLevels || !is_divided(cells, cell)) {
-        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
-    sort(samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1},
-        bounds_of(samples), inner, serial);
+    sort(mesh, samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1}, bounds,
+        inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
-        test_leaf(mesh, samples, triangles, points, worker.leaf, shadowed);
+        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
-        test_cell(mesh, inner, k, level + 1, points, worker, serial, shadowed);
+        test_cell(mesh, covers, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
 /// Takes the patches out that one triangle shadows.
@@ -64,11 +72,11 @@ void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
     memory.covered.resize(patches.size());
     memory.open.resize(patches.size());
     std::size_t covered = 0, open = 0;
-    const CoverList covers = find_covers(mesh, memory.triangle_ranges.span(), bounds);
+    memory.covers = find_covers(mesh, memory.triangle_ranges.span(), bounds);
     for (const SamplePatch& patch : patches) {
         if (patch.range.count == 0) continue;
         const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
-        if (is_covered(mesh, covers, patch, samples, points))
+        if (is_covered(mesh, memory.covers, patch.bounds, samples, points))
             memory.covered[covered++] = patch.range;
         else
             memory.open[open++] = patch;
@@ -77,13 +85,13 @@ void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
     memory.open.resize(open);
 }
 
-/// Splits the patches that are left into those that stay together and samples to be sorted.
-/// Returns the number and the bounds of the latter.
+/// The samples that are to be sorted.
 struct Loose {
     std::size_t count = 0;
     SampleBounds bounds;
 };
 
+/// Splits the patches that are left into those that stay together and samples to be sorted.
 Loose split_patches(
     const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
 {
@@ -140,9 +148,10 @@ void prepare_workers(IrregularMemory& memory, int threads)
         inner.rect_of.resize(triangles + 16, triangles / 4);
         inner.seen.triangles.resize(2 * triangles, triangles);
         if (divided == 0) continue;
-        for (auto* numbers :
-            {&inner.cursor, &inner.sample_start, &inner.seen.cursor, &inner.seen.start})
-            numbers->resize(kSpareCells + 2 * divided / kCellSamples);
+        for (auto* starts : {&inner.sample_start, &inner.seen.start})
+            starts->resize(divided / kCellSamples + 2, 1024);
+        for (auto* cursor : {&inner.cursor, &inner.seen.cursor})
+            cursor->resize(divided / kCellSamples + 2, 4096);
     }
 }
 
@@ -169,8 +178,8 @@ void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
         loose = split_patches(bounds, count, false, memory);
         bin_patches(triangles, ranges, bounds, memory.patches, tasks);
     }
-    sort(samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds, memory.cells,
-        tasks);
+    sort(mesh, samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds,
+        memory.cells, tasks);
 }
 
 void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
@@ -179,20 +188,22 @@ void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory
     prepare_workers(memory, tasks.threads());
     tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
         const SampleRange& range = memory.covered[k];
-        for (const IrregularSample& sample : memory.samples.subspan(range.first, range.count))
-            shadowed[sample.id] = 1;
+        mark(memory.samples.subspan(range.first, range.count), shadowed);
     });
     const PatchMemory& patches = memory.patches;
     tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
         const SampleRange& range = patches.patches[k].range;
         const auto triangles = patches.seen.of(k);
         if (!triangles.empty())
-            test_leaf(mesh, memory.samples.subspan(range.first, range.count), triangles, points,
-                memory.workers[worker]->leaf, shadowed);
+            test_leaf(mesh,
+                {memory.samples.subspan(range.first, range.count), patches.patches[k].bounds,
+                    triangles, memory.covers.span()},
+                points, memory.workers[worker]->leaf, shadowed);
     });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
-        test_cell(mesh, cells, cell, 0, points, *memory.workers[worker], memory.serial, shadowed);
+        test_cell(mesh, memory.covers, cells, cell, 0, points, *memory.workers[worker],
+            memory.serial, shadowed);
     });
 }
 

@@ -1,10 +1,11 @@
 // irregular_zbuffer.h - which points can a light not see? Triangles are rasterised over the points
 // as the light sees them, wherever these are: no ray is shot and no tree is built.
 //
-// Points that came together and lie together stay together: a patch. The other points of a face are
-// sorted into the cells of a grid. A cell with many points is divided again, so that points that
-// crowd together cost little more than others. A patch behind one large triangle is done at once. Triangles are sorted into the same patches and cells,
-// where every group of sixteen points meets the triangles whose box touches it.
+// Points that came together and lie together stay together: a patch. The points of other patches are
+// sorted into the cells of a grid; a cell with many points before many triangles is divided again, so
+// that points that crowd together cost little more than others. A patch or cell behind one large
+// triangle is done at once. Triangles are sorted into the same patches and cells, where every group
+// of sixteen points meets the triangles that may touch it.
 //
 // source  Johnson et al. 2005, "The Irregular Z-Buffer: Hardware Acceleration for Irregular Data
 //         Structures", ACM Transactions on Graphics 24(4); Aila and Laine 2004, "Alias-Free Shadow
@@ -12,6 +13,7 @@
 #pragma once
 
 #include "visibility/irregular_cells.h"
+#include "visibility/irregular_covers.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_patches.h"
 
@@ -33,6 +35,7 @@ struct CellWorker {
 /// Kept from frame to frame.
 struct IrregularMemory {
     std::span<const IrregularSample> samples;
+    CoverList covers;
     PatchMemory patches;
     IrregularCells cells;
     Buffer<SamplePatch> open;    // patches that are not

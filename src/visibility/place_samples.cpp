@@ -69,7 +69,7 @@ void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
     constexpr std::size_t kStride = sizeof(SeenTriangle) / sizeof(float);
     const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, std::int32_t(kStride)));
     for (std::size_t k = 0; k < triangles.size(); k += lanes) {
-        // The last register looks back, so that it stays inside.
+        // The last register repeats the last triangle, so that it stays inside.
         SeenTriangle spare[16];
         const SeenTriangle* from = &triangles[k];
         if (k + lanes > triangles.size()) {

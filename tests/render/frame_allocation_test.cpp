@@ -57,12 +57,13 @@ TEST(FrameAllocation, IsNoneAfterTheSecondFrame)
     }
 }
 
-TEST(FrameAllocation, IsNoneWithSupersampling)
+TEST(FrameAllocation, IsNoneWithShadowMaps)
 {
     Settings settings;
-    settings.samples = 3;
-    settings.aovs = {Aov::item};
-    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
+    settings.shadows = Shadows::map;
+    settings.shadow_filter = 3;
+    for (const int threads : {1, 2})
+        EXPECT_EQ(allocations_after_two_frames("builtin:robots", threads, settings), 0u);
 }
 
 TEST(FrameAllocation, IsNoneWithTheShadowsOfTwoLights)
@@ -79,6 +80,14 @@ TEST(FrameAllocation, IsNoneWithTheShadowsOfTwoLights)
                     << name << (technique == Shadows::map ? ", map, " : ", exact, ") << threads;
         }
     }
+}
+
+TEST(FrameAllocation, IsNoneWithSupersampling)
+{
+    Settings settings;
+    settings.samples = 3;
+    settings.aovs = {Aov::item};
+    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
 }
 
 TEST(OcclusionAllocation, IsNoneAfterTheSecondCall)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hits/hit_position.h"
+#include "lights.h"
 #include "scenes.h"
 #include "shadow/hit_picture.h"
 #include "shadow/look_up.h"
@@ -41,31 +42,6 @@ inline TestWorld box_over_floor()
     add_box(world, {-0.5f, 0.5f, 5.5f}, {0.5f, 1.5f, 6.5f});
     world.finish();
     return world;
-}
-
-inline Light point_light(const glm::dvec3& position)
-{
-    Light light;
-    light.position = position;
-    return light;
-}
-
-inline Light directional_light(const glm::dvec3& direction)
-{
-    Light light;
-    light.kind = Light::Kind::directional;
-    light.direction = direction;
-    return light;
-}
-
-inline Light spot_light(const glm::dvec3& position, const glm::dvec3& direction, double outer_rad)
-{
-    Light light;
-    light.kind = Light::Kind::spot;
-    light.position = position;
-    light.direction = direction;
-    light.outer_rad = outer_rad;
-    return light;
 }
 
 /// What a map gives for each tile of a picture.

@@ -92,7 +92,9 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
         ShadowMemory memory;
         Tasks tasks(threads);
         std::vector<std::uint8_t> shadowed(made.points.size());
-        test_points(world, space, made.points, made.receivers, memory, tasks, shadowed);
+        PointSet set;
+        make_point_set(made.points, made.receivers, threads > 1, set, tasks);
+        test_points(world, space, set, memory, tasks, shadowed);
         std::size_t wrong = 0;
         for (std::size_t k = 0; k < shadowed.size(); ++k) wrong += shadowed[k] != expected[k];
         EXPECT_EQ(wrong, 0u) << what << ", " << threads << " threads";
@@ -123,6 +125,61 @@ TEST(PointShadows, AreThoseOfThePlainLoopForRandomTriangles)
             }
         }
     }
+}
+
+TEST(PointShadows, OfATriangleThatReachesBehindTheLightDoNotDependOnItsFirstCorner)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    Case made;
+    for (int k = 0; k < 20000; ++k) made.points.push_back({unit(random), 0, unit(random)});
+    // Needles across everything: their boxes are larger, so they are the covers.
+    for (int k = 0; k < 100; ++k) {
+        const float at = 0.01f * float(k);
+        const auto first = std::uint32_t(made.position.size());
+        made.position.insert(made.position.end(),
+            {{-1 + at, 0.3f, -1}, {-0.999f + at, 0.3f, -1}, {1 - at, 0.3f, 1}});
+        made.index.push_back({first, first + 1, first + 2});
+    }
+    // From below the light, which stands at (0, 1, 0), to above it.
+    const auto n = std::uint32_t(made.position.size());
+    made.position.insert(made.position.end(), {{0, 0.5f, -0.3f}, {0, 0.5f, 0.3f}, {2, 3, 0}});
+    Light light;
+    light.position = {0, 1, 0};
+    made.index.emplace_back();
+    for (const glm::uvec3 corners :
+        {glm::uvec3(0, 1, 2), glm::uvec3(1, 0, 2), glm::uvec3(2, 1, 0)}) {
+        made.index.back() = corners + n;
+        expect_brute(made, light, "corner " + std::to_string(corners.x) + " first");
+    }
+}
+
+TEST(PointShadows, OfNeedlesThinnerThanRoundingsAreThoseOfThePlainLoop)
+{
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    Case made;
+    Light light;
+    light.position = {0.3, 3, 0.2};
+    const glm::vec3 at(light.position);
+    // Wide ones so that there are many cells, and so that these are the covers.
+    for (int k = 0; k < 200; ++k) {
+        const auto first = std::uint32_t(made.position.size());
+        const float x = unit(random);
+        made.position.insert(
+            made.position.end(), {{x, -1.5f, -1}, {x + 1e-3f, -1.5f, -1}, {-x, -1.5f, 1}});
+        made.index.push_back({first, first + 1, first + 2});
+    }
+    for (int k = 0; k < 40; ++k) {
+        const glm::vec3 a{unit(random), 0.5f, -1}, b{unit(random), 0.6f, 1};
+        const glm::vec3 c = a + 0.4f * (b - a) + glm::vec3(3e-8f * unit(random), 0, 0);
+        const auto first = std::uint32_t(made.position.size());
+        made.position.insert(made.position.end(), {a, b, c});
+        made.index.push_back({first, first + 1, first + 2});
+        for (int n = 0; n < 400; ++n)
+            made.points.push_back(at + 1.4f * (a + std::abs(unit(random)) * (b - a) - at));
+    }
+    expect_brute(made, light, "needles");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // shadow_scenes.h - triangles, lights and eyes that break shadows which are only nearly right.
 #pragma once
 
+#include "lights.h"
 #include "scenes.h"
 
 #include <functional>
@@ -38,31 +39,5 @@ struct ShadowPoints {
     std::vector<std::uint32_t> receiver;
 };
 ShadowPoints shadow_points(const ShadowWorld& world, std::size_t count, unsigned seed);
-
-inline Light point_light(const glm::dvec3& position)
-{
-    Light light;
-    light.position = position;
-    return light;
-}
-
-inline Light directional_light(const glm::dvec3& direction)
-{
-    Light light;
-    light.kind = Light::Kind::directional;
-    light.direction = direction;
-    return light;
-}
-
-inline Light spot_light(const glm::dvec3& position, const glm::dvec3& direction, double outer_rad)
-{
-    Light light;
-    light.kind = Light::Kind::spot;
-    light.position = position;
-    light.direction = direction;
-    light.inner_rad = 0.5 * outer_rad;
-    light.outer_rad = outer_rad;
-    return light;
-}
 
 } // namespace firsthit::test
