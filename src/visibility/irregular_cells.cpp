@@ -118,8 +118,8 @@ class EdgeTest {
     EdgeTest(const LightMesh& mesh, std::uint32_t triangle, const CellGrid& grid)
         : x0_(grid.x0),
           y0_(grid.y0),
-          width_(grid.scale_x > 0 ? 1 / double(grid.scale_x) : 0),
-          height_(grid.scale_y > 0 ? 1 / double(grid.scale_y) : 0)
+          width_(1 / double(grid.scale_x)), // infinite where all columns are one: nothing is asked
+          height_(1 / double(grid.scale_y))
     {
         const glm::uvec3& index = mesh.index[triangle];
         const SeenPoint corner[3] = {mesh.seen[index.x], mesh.seen[index.y], mesh.seen[index.z]};

@@ -26,7 +26,7 @@ inline void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMe
     leaf.bounds = bounds;
     leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
                                                   std::abs(leaf.bounds.nearest_w))
-                                            : leaf.bounds.nearest_w;
+                                            : std::max(0.0f, leaf.bounds.nearest_w);
     const SampleBounds& b = leaf.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));

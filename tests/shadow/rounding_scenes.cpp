@@ -69,7 +69,7 @@ void add_rounding(Scenes& scenes)
     add(scenes, "lights exactly inside triangles", lights_inside_triangles);
     add(scenes, "corners next to a light", corners_next_to_a_light);
     add(scenes, "small and far away", small_and_far_away);
-    for (const float scale : {1e-34f, 1e-36f, 3e-38f})
+    for (const float scale : {1e-34f, 1e-36f, 1e-39f, 1e-40f})
         add(scenes, "a ball on a floor at scale 1e" + std::to_string(int(std::log10(scale))),
             [scale](Builder& b) {
                 b.floor();
