@@ -179,19 +179,51 @@ HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, DepthTile
     tile.x0[i] = entry.x0, tile.y0[i] = entry.y0, tile.x1[i] = entry.x1, tile.y1[i] = entry.y1;
 }
 
+/// The tile's farthest depth.
+float least_of(const DepthTile& tile)
+{
+    const hn::CappedTag<float, 16> d;
+    auto least = hn::Load(d, tile.w.data());
+    for (std::size_t k = hn::Lanes(d); k < tile.w.size(); k += hn::Lanes(d))
+        least = hn::Min(least, hn::Load(d, tile.w.data() + k));
+    return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+/// Whether the entry's box takes half of the tile's width and height.
+HWY_INLINE bool is_large(const TileEntry& entry, int half)
+{
+    return entry.x1 - entry.x0 >= half && entry.y1 - entry.y0 >= half;
+}
+
 void raster_depths(
     const ViewMemory& view, std::span<const TileEntry> entries, float x0, float y0, DepthTile& tile)
 {
     std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
+    // Large triangles first: what they hide changes no depth and is left out, as all behind a roof.
+    const int half = view.tile_size / 2;
+    bool any_large = false;
+    for (const TileEntry& entry : entries) {
+        if (!is_large(entry, half)) continue;
+        any_large = true;
+        gather(view, entry, tile);
+        if (tile.count == DepthTile::kBatch) raster_batch(tile, x0, y0);
+    }
+    raster_batch(tile, x0, y0);
+    const float least = any_large ? least_of(tile) : 0.0f;
+
     constexpr std::size_t kIndices = 24, kCorners = 12; // entries ahead
     for (std::size_t n = 0; n < entries.size(); ++n) {
         if (n + kIndices < entries.size())
             hwy::Prefetch(&view.index[entries[n + kIndices].triangle]);
+        const TileEntry& entry = entries[n];
+        // The greatest w that it can leave, as set-up finds it.
+        if (entry.nearest_z > 0 && 1.0f / entry.nearest_z <= least) continue;
+        if (any_large && is_large(entry, half)) continue;
         if (n + kCorners < entries.size()) {
             const glm::uvec3& index = view.index[entries[n + kCorners].triangle];
             for (int k = 0; k < 3; ++k) hwy::Prefetch(&view.corner[index[k]]);
         }
-        gather(view, entries[n], tile);
+        gather(view, entry, tile);
         if (tile.count == DepthTile::kBatch) raster_batch(tile, x0, y0);
     }
     raster_batch(tile, x0, y0);
