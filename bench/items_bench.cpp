@@ -6,6 +6,8 @@
 // Both sides are given the posed world and leave triangle id, depth and barycentrics of 1024x1024
 // samples. Ours starts from world positions; Embree is given eye-space corners, so that it does not
 // pay for the camera transform.
+#include "peers.h"
+
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -30,12 +32,6 @@ struct Options {
     int rounds = 21;
     std::vector<std::string> scenes;
 };
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 /// The frame without colour.
 struct Ours {
@@ -88,12 +84,11 @@ struct Theirs {
 
 void measure(const std::string& argument, const Options& options)
 {
-    const std::size_t at = argument.find('@');
-    const double time_s = at == std::string::npos ? 0 : std::atof(argument.c_str() + at + 1);
-    const Scene scene = load_scene(argument.substr(0, at));
+    const SceneArgument asked(argument);
+    const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, time_s, world, tasks);
+    pose(scene, asked.time_s, world, tasks);
     View view;
     view.camera = scene.camera ? world.camera : framing_camera(world);
     view = checked(view);
@@ -118,8 +113,7 @@ void measure(const std::string& argument, const Options& options)
         differ += theirs.items[i] != ours.film.item[i];
     const double total = median(ours.total_ms);
     const double peer = median(theirs.update_ms) + median(theirs.cast_ms);
-    std::string name = argument.substr(argument.find_last_of('/') + 1);
-    std::printf("%-22s %9zu %8.2f %8.2f %8.2f %9.2f %9.2f %9.2f %8.2f %9zu\n", name.c_str(),
+    std::printf("%-22s %9zu %8.2f %8.2f %8.2f %9.2f %9.2f %9.2f %8.2f %9zu\n", asked.name.c_str(),
         scene.triangle_count(), median(ours.setup_ms), median(ours.raster_ms),
         median(ours.resolve_ms), total, median(theirs.update_ms), median(theirs.cast_ms),
         peer / total, differ);

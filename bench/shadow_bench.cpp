@@ -9,6 +9,7 @@
 // Of several lights (around the first), Embree is measured for the first only. A map is made anew
 // in every round. Its wrong pixels are counted against the exact pass.
 #include "embree_tree.h"
+#include "peers.h"
 
 #include "base/stopwatch.h"
 #include "base/tasks.h"
@@ -40,12 +41,6 @@ struct Options {
     int map_size = 0;
     std::vector<std::string> scenes;
 };
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 /// The first light, and others around it.
 void set_lights(int count, World& world)
@@ -100,12 +95,11 @@ std::size_t count_wrong(
 
 void measure(const std::string& argument, const Options& options)
 {
-    const std::size_t at = argument.find('@');
-    const double time_s = at == std::string::npos ? 0 : std::atof(argument.c_str() + at + 1);
-    const Scene scene = load_scene(argument.substr(0, at));
+    const SceneArgument asked(argument);
+    const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, time_s, world, tasks);
+    pose(scene, asked.time_s, world, tasks);
     set_lights(options.lights, world);
     View view;
     view.width = options.width;
@@ -177,13 +171,13 @@ void measure(const std::string& argument, const Options& options)
                  embree = median(times.embree);
     const double wrong = 100.0 * double(count_wrong(memory.tiles, memory.lit.bits, lit)) /
                          (double(view.width) * view.height);
-    const std::string name = argument.substr(argument.find_last_of('/') + 1);
     std::printf("%-22s %9zu %9zu %7.2f %6.2f %6.2f %7.2f %8.2f %8.2f %8.2f %6.2f %6.2f %7zu "
                 "%7.2f%% %9zu %10zu %7zu\n",
-        name.c_str(), scene.triangle_count(), std::size_t(effort.points), median(times.collect),
-        median(times.see), median(times.sort), median(times.test), exact, map, embree,
-        embree / exact, embree / map, differ, wrong, std::size_t(effort.counts.triangles),
-        std::size_t(effort.counts.pairs), std::size_t(effort.counts.uncertain));
+        asked.name.c_str(), scene.triangle_count(), std::size_t(effort.points),
+        median(times.collect), median(times.see), median(times.sort), median(times.test), exact,
+        map, embree, embree / exact, embree / map, differ, wrong,
+        std::size_t(effort.counts.triangles), std::size_t(effort.counts.pairs),
+        std::size_t(effort.counts.uncertain));
     std::fflush(stdout);
 }
 

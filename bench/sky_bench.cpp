@@ -8,6 +8,7 @@
 // tree is built beforehand and not counted. Both sides are told which way the points lie; Embree
 // shoots from the points towards the sky.
 #include "embree_tree.h"
+#include "peers.h"
 
 #include "base/stopwatch.h"
 #include "base/tasks.h"
@@ -82,12 +83,11 @@ glm::dvec3 sky_direction(int k, int count)
 
 void measure(const std::string& argument, const Options& options)
 {
-    const std::size_t at = argument.find('@');
-    const double time_s = at == std::string::npos ? 0 : std::atof(argument.c_str() + at + 1);
-    const Scene scene = load_scene(argument.substr(0, at));
+    const SceneArgument asked(argument);
+    const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, time_s, world, tasks);
+    pose(scene, asked.time_s, world, tasks);
     const std::vector<glm::vec3> points = make_points(world, options);
 
     // Embree in world space: a light at the origin.
@@ -141,9 +141,8 @@ void measure(const std::string& argument, const Options& options)
     }
     const ShadowEffort effort = take_effort(memory);
     const double n = options.directions;
-    const std::string name = argument.substr(argument.find_last_of('/') + 1);
     std::printf("%-22s %9zu %9zu %5.1f%% %8.2f %8.2f %8.2f %8.2f %9.2f %9.2f %6.2f %7.4f%%\n",
-        name.c_str(), scene.triangle_count(), points.size(),
+        asked.name.c_str(), scene.triangle_count(), points.size(),
         100.0 * double(shadowed) / (n * double(points.size())), effort.collect_ms / n,
         effort.see_ms / n, effort.sort_ms / n, effort.test_ms / n, ours_ms / n, theirs_ms / n,
         theirs_ms / ours_ms, 100.0 * double(differ) / (n * double(points.size())));

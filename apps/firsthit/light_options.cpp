@@ -115,8 +115,8 @@ void add_light_options(CLI::App& app, LightOptions& options)
     const auto integer = [](int low, int high) {
         return [low, high](const std::string& text) { return parse_integer(text, low, high); };
     };
-    add_parsed(app, "--shadow-map-size", options.shadow_map_size, integer(16, 16384), "N",
-        "Texels on a shadow map's longer side, 16 to 16384; default by the camera, the picture and "
+    add_parsed(app, "--shadow-map-size", options.shadow_map_size, integer(16, 8192), "N",
+        "Texels on a shadow map's longer side, 16 to 8192; default by the camera, the picture and "
         "the light");
     const auto bias = [](const std::string& text) {
         const double value = parse_number(text);

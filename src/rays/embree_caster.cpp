@@ -1,6 +1,8 @@
 // embree_caster.cpp - Embree 3 as a second oracle, and as the peer in benchmarks.
 #include "rays/embree_caster.h"
 
+#include "rays/embree_handles.h"
+
 #include <firsthit/error.h>
 #include <firsthit/scene.h>
 
@@ -13,24 +15,8 @@
 
 namespace firsthit {
 
-struct EmbreeCaster::Impl {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-    RTCGeometry geometry = nullptr;
+struct EmbreeCaster::Impl : EmbreeHandles {
     float* vertex = nullptr; // Embree's own copy, 3 floats each
-
-    ~Impl()
-    {
-        if (geometry) rtcReleaseGeometry(geometry);
-        if (scene) rtcReleaseScene(scene);
-        if (device) rtcReleaseDevice(device);
-    }
-
-    void check() const
-    {
-        if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
-            throw DeviceError(fmt::format("Embree failed with error {}", int(error)));
-    }
 
     void copy_corners(const EyeTriangles& triangles)
     {

@@ -1,6 +1,8 @@
 // embree_occluder.cpp - Embree 3 as a second oracle of shadows, and as the peer in benchmarks.
 #include "rays/embree_occluder.h"
 
+#include "rays/embree_handles.h"
+
 #include <firsthit/error.h>
 
 #include <embree3/rtcore.h>
@@ -36,24 +38,8 @@ void skip_receiver(const RTCFilterFunctionNArguments* arguments)
 
 } // namespace
 
-struct EmbreeOccluder::Impl {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-    RTCGeometry geometry = nullptr;
+struct EmbreeOccluder::Impl : EmbreeHandles {
     float before_all = 0; // a z below every corner's
-
-    ~Impl()
-    {
-        if (geometry) rtcReleaseGeometry(geometry);
-        if (scene) rtcReleaseScene(scene);
-        if (device) rtcReleaseDevice(device);
-    }
-
-    void check() const
-    {
-        if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
-            throw DeviceError(fmt::format("Embree failed with error {}", int(error)));
-    }
 
     /// Points [first, first + kPacket) and below last.
     void cast_packet(const LightSpace& space, std::span<const glm::vec3> points, std::size_t first,

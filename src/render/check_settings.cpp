@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxSize = 65536;
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28;
 constexpr int kMaxSamples = 16;
-constexpr int kMinMap = 16, kMaxMap = 16384;
+constexpr int kMinMap = 16, kMaxMap = 8192;
 constexpr int kMaxFilter = 15;
 
 void check_shadows(const Settings& settings)

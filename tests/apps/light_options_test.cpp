@@ -111,11 +111,11 @@ TEST(LightOptions, WhatIsNotSaidStaysAsTheSettingsHaveIt)
 TEST(LightOptions, NumbersOutOfRangeAreNamedByTheirOption)
 {
     EXPECT_EQ(message_of<UsageError>([] { parse("--shadow-map-size 8"); }),
-        "--shadow-map-size: '8' is no integer from 16 to 16384");
+        "--shadow-map-size: '8' is no integer from 16 to 8192");
     EXPECT_EQ(message_of<UsageError>([] { parse("--shadow-filter 16"); }),
         "--shadow-filter: '16' is no integer from 1 to 15");
     for (const char* line : {"--shadow-bias -1", "--shadow-bias nan", "--shadow-bias inf",
-             "--shadow-map-size 16385", "--shadow-filter 0"})
+             "--shadow-map-size 8193", "--shadow-filter 0"})
         EXPECT_THROW(parse(line), UsageError) << line;
 }
 

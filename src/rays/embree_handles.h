@@ -1,0 +1,34 @@
+// embree_handles.h - what Embree hands out, released in order.
+#pragma once
+
+#include <firsthit/error.h>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+namespace firsthit {
+
+struct EmbreeHandles {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    RTCGeometry geometry = nullptr;
+
+    EmbreeHandles() = default;
+    EmbreeHandles(const EmbreeHandles&) = delete;
+    EmbreeHandles& operator=(const EmbreeHandles&) = delete;
+    ~EmbreeHandles()
+    {
+        if (geometry) rtcReleaseGeometry(geometry);
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    /// throws  DeviceError where Embree failed since the last call
+    void check() const
+    {
+        if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+            throw DeviceError(fmt::format("Embree failed with error {}", int(error)));
+    }
+};
+
+} // namespace firsthit
