@@ -14,7 +14,7 @@ namespace firsthit::cli {
 
 struct LightOptions {
     std::vector<Light> lights; // empty: the scene's own
-    Shadows shadows = Shadows::exact;
+    Shadows shadows = Shadows::automatic;
     std::optional<int> shadow_map_size;
     std::optional<double> shadow_bias;
     std::optional<int> shadow_filter;

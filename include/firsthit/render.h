@@ -14,22 +14,82 @@ namespace firsthit {
 
 /// How a frame finds out which lights reach what it sees.
 enum class Shadows {
-    none,  // every light reaches everything
-    map,   // shadow maps (Robert and Schoepke 2006, section 3.2): fast, approximate
-    exact, // as a shadow ray for every sample and light would say
+    automatic, // exact, or map on the OpenGL engines
+    none,      // every light reaches everything
+    map,       // shadow maps (Robert and Schoepke 2006, section 3.2): fast, approximate
+    exact,     // as a shadow ray for every sample and light would say; not on the gpu engine
+};
+
+/// Where a frame is made.
+enum class Engine {
+    cpu,       // our rasteriser, our rays: exact
+    hybrid,    // item buffer and shadow maps by OpenGL, rays and shading on the CPU (section 4.1)
+    gpu,       // everything by OpenGL (section 4.2)
+    automatic, // gpu where OpenGL runs on hardware, else cpu
+};
+
+/// What the OpenGL engines do where the triangle that the item buffer names is not hit (section
+/// 4.1). The cpu engine's item buffer names the triangle that is hit: it has nothing to repair.
+enum class Multisample {
+    none,  // nothing
+    lazy3, // try the triangles of the 3 x 3 neighbourhood
+    lazy5, // of 5 x 5
+    full3, // try those of 3 x 3 at every pixel, the nearest hit wins
+    full5, // of 5 x 5
+    exact, // find the pixels that are not certain and decide them exactly: the cpu engine's items
+};
+
+/// How triangle ids are written by OpenGL.
+enum class ItemFormat {
+    r32ui, // an integer for each pixel
+    rgb8,  // colours: at most 2^24 - 1 triangles
+    rgba8, // colours: at most 2^32 - 1 triangles
+};
+
+/// The depth buffer of the item buffer on OpenGL.
+enum class DepthFormat {
+    float32, // reversed: 1 / z, no far plane
+    fixed24, // between planes that are fitted to the scene
+};
+
+/// How items come from OpenGL to the hybrid engine's rays.
+enum class Readback {
+    sync,  // the picture at once; nothing else happens meanwhile
+    async, // in chunks through pixel buffer objects; rays start with the first chunk
+};
+
+/// How the gpu engine shades.
+enum class GpuPasses {
+    single, // one pass over all pixels (section 4.2.1)
+    multi,  // pixels without an item are masked by depth; then intersection, then shading (4.2.2)
+};
+
+/// What is done by OpenGL, and how.
+struct OpenGlSettings {
+    ItemFormat item_format = ItemFormat::r32ui;
+    DepthFormat depth_format = DepthFormat::float32;
+    Readback readback = Readback::async;
+    int readback_chunks = 8; // of the picture, 1 to 64
+    GpuPasses passes = GpuPasses::single;
 };
 
 /// What a frame is made with. Items and pictures do not depend on threads, tile size or instruction
 /// set.
 struct Settings {
+    Engine engine = Engine::cpu;
     int samples = 1;       // N: N x N regular rays a pixel, 1 to 16
     bool color = true;     // false: only the planes are made
     std::vector<Aov> aovs; // which planes to make
     int tile_size = 64;    // pixels, a multiple of 8 from 8 to 128
-    Shadows shadows = Shadows::exact;
+    Shadows shadows = Shadows::automatic;
     int shadow_map_size = 0; // texels on a side; 0: by the camera's frustum, the hits and the light
     double shadow_bias = -1; // of a map, world units towards the light; negative: by the texels
     int shadow_filter = 1;   // N: N x N texels are compared, 1 to 15; 1: hard borders
+    int interleave = 1;      // N: every N-th primary ray is shot, the pixels between are
+                             // interpolated (section 4.1), 1 to 16; needs samples = 1
+    Multisample multisample = Multisample::lazy3; // of the OpenGL engines
+    bool interpolate = true; // pixels whose triangle is not found get the colours around them
+    OpenGlSettings opengl;
 };
 
 /// Where a frame's time went and what it counted. Milliseconds. Raster, resolve and shade run tile

@@ -3,8 +3,6 @@
 
 #include "base/stopwatch.h"
 #include "cpu/film_planes.h"
-#include "visibility/bins.h"
-#include "visibility/project.h"
 #include "visibility/raster_tile.h"
 
 #include <algorithm>
@@ -34,9 +32,8 @@ int tile_samples(int tile_size, int samples)
     return std::min((tile_size + step - 1) / step * step, kMaxTile / step * step);
 }
 
-/// Triangles to the tiles of one part of the picture; false where there are too many (bins.h).
-bool see_triangles(const World& world, const View& view, const Region& part, int samples,
-    int tile_size, ViewMemory& memory, Tasks& tasks)
+/// Puts the part's rays and tiles into the memory.
+void lay_out(const View& view, const Region& part, int samples, int tile_size, ViewMemory& memory)
 {
     memory.pencil = pencil_of(view, part, samples);
     memory.tile_size = tile_size;
@@ -45,8 +42,6 @@ bool see_triangles(const World& world, const View& view, const Region& part, int
     const int longest = std::max(memory.pencil.width, memory.pencil.height);
     memory.tile_of.resize(std::size_t(longest));
     for (int k = 0; k < longest; ++k) memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
-    project_vertices(world.position, memory, tasks);
-    return bin_triangles(world.scene->index, memory, tasks);
 }
 
 /// The part cut in two between tiles, across its longer side.
@@ -67,10 +62,13 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
 }
 
 /// The tile's items and hits. Which triangle does each sample see, and where exactly?
-HitTile see_tile(FrameMemory& memory, std::size_t tile, std::size_t place, TileWorker& worker)
+HitTile see_tile(
+    ItemSource& items, FrameMemory& memory, std::size_t tile, std::size_t place, std::size_t number)
 {
+    TileWorker& worker = *memory.workers[number];
     Stopwatch lap;
-    raster_tile(memory.view, int(tile), worker.items);
+    std::fill(std::begin(worker.holes), std::end(worker.holes), 0);
+    items.tile(memory.view, int(tile), worker.items, worker.holes, number);
     worker.raster_ms += lap.lap_ms();
     const HitTile hits = resolve_tile(memory.view, worker.items, memory.hits.of(place));
     worker.resolve_ms += lap.lap_ms();
@@ -91,17 +89,31 @@ void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
     worker.shade_ms += lap.lap_ms();
 }
 
+/// Calls body(tile, worker) for all tiles, as their items become ready.
+template <class Body>
+void for_ready_tiles(ItemSource& items, const ViewMemory& view, Tasks& tasks, const Body& body)
+{
+    const auto tiles = std::size_t(view.tiles());
+    for (std::size_t done = 0; done < tiles;) {
+        const std::size_t ready = items.wait(view);
+        tasks.for_each(
+            ready - done, [&](std::size_t k, std::size_t worker) { body(done + k, worker); });
+        done = ready;
+    }
+}
+
 /// Items, hits and colours of one part of the picture. Where shadows have to be found, all tiles'
 /// hits are kept for the lights; else each tile is finished while it is in cache.
 void render_part(const World& world, const View& view, const Region& part, const Pass& pass,
-    int tile_size, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+    int tile_size, ItemSource& items, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     Stopwatch watch;
-    const bool seen = see_triangles(world, view, part, pass.samples, tile_size, memory.view, tasks);
+    lay_out(view, part, pass.samples, tile_size, memory.view);
+    const bool seen = items.start(world, view, part, pass.samples, memory.view, tasks);
     stats.setup_ms += watch.lap_ms();
     if (!seen) {
         for (const Region& half : halves(part, tile_size / pass.samples))
-            render_part(world, view, half, pass, tile_size, memory, tasks, film, stats);
+            render_part(world, view, half, pass, tile_size, items, memory, tasks, film, stats);
         return;
     }
     const std::size_t tiles = std::size_t(memory.view.tiles());
@@ -110,17 +122,16 @@ void render_part(const World& world, const View& view, const Region& part, const
     };
     if (!pass.shadows) {
         resize(memory.hits, tile_size, std::size_t(tasks.threads()));
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
-            TileWorker& worker = *memory.workers[number];
-            const HitTile hits = see_tile(memory, tile, number, worker);
-            finish_tile(world, hits, {}, place(tile), worker, film);
+        for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
+            const HitTile hits = see_tile(items, memory, tile, number, number);
+            finish_tile(world, hits, {}, place(tile), *memory.workers[number], film);
         });
     } else {
         resize(memory.hits, tile_size, tiles);
         memory.tiles.resize(tiles);
         start_lit(world, *pass.shadows, tasks.threads(), memory.lit);
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
-            memory.tiles[tile] = see_tile(memory, tile, tile, *memory.workers[number]);
+        for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
+            memory.tiles[tile] = see_tile(items, memory, tile, tile, number);
             add_lit_hits(memory.tiles[tile], memory.lit, number);
         });
         watch.lap_ms();
@@ -156,7 +167,7 @@ void prepare(const Pass& pass, int tile_size, const World& world, const View& vi
 }
 
 void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
-    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+    ItemSource& items, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
 {
     const int tile = tile_samples(tile_size, pass.samples);
     prepare(pass, tile, world, view, memory, tasks, film);
@@ -170,7 +181,7 @@ void render_pass(const World& world, const View& view, const Pass& pass, int til
         for (int x = 0; x < all.width; x += step) {
             const Region part{all.x + x, all.y + y, std::min(step, all.width - x),
                 std::min(step, all.height - y)};
-            render_part(world, view, part, pass, tile, memory, tasks, film, stats);
+            render_part(world, view, part, pass, tile, items, memory, tasks, film, stats);
         }
     }
 }
@@ -197,8 +208,9 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
 } // namespace
 
 void render_frame(const World& world, const View& view, const Settings& settings,
-    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats, const FrameSources& sources)
 {
+    ItemSource& items = sources.items ? *sources.items : memory.raster;
     film.width = view.region.width;
     film.height = view.region.height;
     clear_unused(film, settings.color, settings.aovs);
@@ -213,10 +225,10 @@ void render_frame(const World& world, const View& view, const Settings& settings
         render_pass(world, view,
             {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
                 find_shadows(settings.color || lit)},
-            settings.tile_size, memory, tasks, film, stats);
+            settings.tile_size, items, memory, tasks, film, stats);
     if (!together && !aovs.empty())
-        render_pass(world, view, {1, false, aovs, find_shadows(lit)}, settings.tile_size, memory,
-            tasks, film, stats);
+        render_pass(world, view, {1, false, aovs, find_shadows(lit)}, settings.tile_size, items,
+            memory, tasks, film, stats);
     collect(memory, tasks.threads(), stats);
 }
 

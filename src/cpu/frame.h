@@ -6,6 +6,7 @@
 #include "shade/shade_tile.h"
 #include "shadow/lit_stage.h"
 #include "visibility/item_tile.h"
+#include "visibility/raster_source.h"
 #include "visibility/view_memory.h"
 
 #include <firsthit/render.h>
@@ -24,6 +25,7 @@ struct ShadeMemory {
 /// What one worker needs to make a tile.
 struct TileWorker {
     ItemTile items{};
+    std::uint64_t holes[(kMaxTile / kBlock) * (kMaxTile / kBlock)] = {}; // see ItemSource
     ShadeMemory shade;
     Buffer<float> lit; // (lights, samples) of a tile
     double raster_ms = 0, resolve_ms = 0, shadow_ms = 0, shade_ms = 0;
@@ -34,15 +36,21 @@ struct TileWorker {
 /// Everything a frame needs, allocated once and reused.
 struct FrameMemory {
     ViewMemory view;
+    RasterSource raster;
     HitMemory hits;             // of all tiles where lights wait for them, else one a worker
     std::vector<HitTile> tiles; // of all tiles
     LitMemory lit;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };
 
+/// Who makes what a frame is made of; null: the cpu engine.
+struct FrameSources {
+    ItemSource* items = nullptr;
+};
+
 /// Renders the view's region into the film and adds to the statistics. `settings` and `view` are
-/// checked (render/check_settings.h); view.region is filled in.
+/// checked (render/check_settings.h); view.region is filled in. Shadows::automatic is exact.
 void render_frame(const World& world, const View& view, const Settings& settings,
-    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats);
+    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats, const FrameSources& sources = {});
 
 } // namespace firsthit

@@ -9,7 +9,7 @@ namespace firsthit {
 
 void start_lit(const World& world, const Settings& settings, int threads, LitMemory& memory)
 {
-    memory.technique = settings.shadows;
+    memory.technique = settings.shadows == Shadows::map ? Shadows::map : Shadows::exact;
     if (memory.technique == Shadows::map) start_maps(world, threads, memory.maps);
 }
 

@@ -78,7 +78,7 @@ TEST(LightOptions, ShadowsAreExactUnlessOtherwiseSaid)
 {
     Settings settings;
     apply(parse(""), settings);
-    EXPECT_EQ(settings.shadows, Shadows::exact);
+    EXPECT_EQ(settings.shadows, Shadows::automatic);
     apply(parse("--shadows none"), settings);
     EXPECT_EQ(settings.shadows, Shadows::none);
     EXPECT_EQ(message_of<UsageError>([] { parse("--shadows soft"); }),
