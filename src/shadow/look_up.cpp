@@ -151,7 +151,10 @@ void look_up_face(const MapView& face, const HitTile& hits, float* lit)
 {
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const real steepness = load(lit + offset);
-        store(facing_share(lit_share(face, x, y, first, t, steepness), steepness), lit + offset);
+        real share(0.0f);
+        if (any(steepness > share))
+            share = facing_share(lit_share(face, x, y, first, t, steepness), steepness);
+        store(share, lit + offset);
     });
 }
 
