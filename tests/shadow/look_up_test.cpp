@@ -25,6 +25,18 @@ TestWorld room()
     return world;
 }
 
+/// A floor under a roof that slopes down to it on the left and ends on the right, with a hut between
+/// them: whole tiles are dark, some nearly.
+TestWorld roofed()
+{
+    TestWorld world;
+    add_quad(world, {-4, 2, 2}, {8, 0, 0}, {0, 0, 8});
+    add_quad(world, {-4, 1.999f, 1}, {5, -3, 0}, {0, 0, 9});
+    add_box(world, {-0.5f, 1.6f, 5}, {0, 2, 6});
+    world.finish();
+    return world;
+}
+
 std::vector<Case> cases()
 {
     return {
@@ -33,6 +45,8 @@ std::vector<Case> cases()
         {"directional light", box_over_floor, directional_light({1, 2, 0.5})},
         {"directional light along an axis", box_over_floor, directional_light({0, 3, 0})},
         {"spot light", box_over_floor, spot_light({1, -3, 5}, {-0.2, 1, 0.2}, 0.5)},
+        {"point light above a roof", roofed, point_light({0, -6, 5})},
+        {"directional light above a roof", roofed, directional_light({0.2, 2, 0.1})},
         {"wide spot light", room, spot_light({0, -1.9, 4}, {0, 1, 0}, 1.4)},
     };
 }
