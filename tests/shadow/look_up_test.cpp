@@ -37,6 +37,20 @@ TestWorld roofed()
     return world;
 }
 
+/// A table before a wall, lit from above, and the dark floor under it: a tile sees both, and its part
+/// of the map nothing but the table.
+TestWorld table()
+{
+    TestWorld world;
+    add_quad(world, {-12, 2, 2}, {24, 0, 0}, {0, 0, 18});
+    add_quad(world, {-12, 1, 3.3f}, {24, 0, 0}, {0, 0, 16});
+    add_quad(world, {-12, 1, 12}, {24, 0, 0}, {0, -7, 0});
+    add_quad(
+        world, {-12, -1, -2}, {24, 0, 0}, {0, 0, 5.3f}); // a roof over the eye, up to the table
+    world.finish();
+    return world;
+}
+
 std::vector<Case> cases()
 {
     return {
@@ -141,6 +155,22 @@ TEST(LookUp, SaysWhatRaysThroughTheTexelsSay)
             EXPECT_EQ(count.between > 0, filter > 1);
         }
     }
+}
+
+TEST(LookUp, DoesNotTakeATileForDarkThatIsDarkInPart)
+{
+    TestWorld world = table();
+    world.world.lights = {directional_light({0, 2, 0})};
+    Tasks tasks(1);
+    const HitPicture picture(world.world, small_view(), tasks, 32);
+    Settings settings;
+    settings.shadow_map_size = 120;
+    ShadowMaps maps;
+    make_maps(world.world, picture, settings, tasks, maps);
+    const Agreement count = agreement(maps, world.world, picture);
+    EXPECT_EQ(count.wrong, 0);
+    EXPECT_GT(count.lit, 500);
+    EXPECT_GT(count.dark, 500);
 }
 
 TEST(LookUp, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)
