@@ -100,8 +100,12 @@ void raster_part(
         raster_depth(view, int(tile), depth);
         const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
         store_depth(depth, view.pencil,
-            {&map.depth[quad_offset(part.x + x, part.y + y, map.width())], quads(map.width()),
-                std::min(kTile, part.width - x), std::min(kTile, part.height - y)});
+            {.depth = &map.depth[quad_offset(part.x + x, part.y + y, map.width())],
+                .quads_x = quads(map.width()),
+                .farthest = &map.farthest.at((part.x + x) / kCellSide, (part.y + y) / kCellSide),
+                .cells_x = map.farthest.across,
+                .width = std::min(kTile, part.width - x),
+                .height = std::min(kTile, part.height - y)});
     });
 }
 
@@ -124,6 +128,7 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
     const std::size_t texels =
         std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
     map.depth.resize(texels, texels / 2); // what hits fill of a face changes from frame to frame
+    map.farthest.resize(map.width(), map.height());
     maps.view.pencil = pencil;
     raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
     ++maps.updates;

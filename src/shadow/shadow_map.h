@@ -39,6 +39,7 @@ struct MapSource {
 struct ShadowMap {
     MapSource source;
     Buffer<float> depth; // along the face's z from `origin`, +inf where nothing is; see quad_offset
+    FarthestDepths farthest;
     // matrix * (p - origin) + offset: (texel x, texel y, depth) of p; the first two times the depth
     // unless the light is parallel. Texel i reaches from i to i + 1.
     glm::dmat3 matrix{1};
