@@ -21,7 +21,10 @@ struct Variant {
 /// All that the library compiles: a new shader or define gets its line here.
 std::vector<Variant> all_variants()
 {
-    return {};
+    return {
+        {"pose.comp", {{"SURFACES", "0"}}},
+        {"pose.comp", {{"SURFACES", "1"}}},
+    };
 }
 
 bool is_stage(std::string_view name)
