@@ -8,20 +8,18 @@
 
 namespace firsthit::gl {
 
-/// Rows of 3 x 4 matrices, composed in double and rounded once.
+/// Rows of what moves a node's vertices, as VertexMatrix (scene/pose_kernel.h).
 struct MatrixData {
-    glm::vec4 eye[3]{};    // eye_from_source: into the pencil's eye space
-    glm::vec4 world[3]{};  // world_from_source
-    glm::vec4 normal[3]{}; // of normals, up to a positive factor; w unused
+    glm::vec4 world[3]{};  // world_from_node
+    glm::vec4 normal[3]{}; // w unused
 
     bool operator==(const MatrixData&) const = default;
 };
-static_assert(offsetof(MatrixData, world) == 48 && offsetof(MatrixData, normal) == 96 &&
-              sizeof(MatrixData) == 144);
+static_assert(offsetof(MatrixData, normal) == 48 && sizeof(MatrixData) == 96);
 
 /// Where a part's vertices come from.
 struct PartData {
-    std::uint32_t matrix = 0; // number of its MatrixData
+    std::uint32_t matrix = 0; // number of its MatrixData: its node's
     std::uint32_t moving = 0; // 1: its vertices are in the moving arrays, in world space
     std::uint32_t first = 0;  // of its vertices there
     std::uint32_t first_vertex = 0;

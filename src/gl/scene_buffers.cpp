@@ -7,7 +7,7 @@
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
-#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -27,26 +27,18 @@ bool is_moving(const Part& part)
     return !part.morph.empty() || bool(part.deform);
 }
 
-void set_rows(const glm::dmat3& linear, const glm::dvec3& shift, glm::vec4 (&rows)[3])
-{
-    for (int r = 0; r < 3; ++r)
-        rows[r] = glm::vec4(glm::dvec4(linear[0][r], linear[1][r], linear[2][r], shift[r]));
-}
-
-/// What moves vertices of a space to the pencil and to the world, composed in double.
-MatrixData matrix_data(const glm::dmat4& world_from_source, bool visible, const Pencil& pencil)
+MatrixData matrix_data(const glm::dmat4& world_from_node, bool visible)
 {
     MatrixData data;
-    const glm::dvec3 origin(world_from_source[3]);
-    // A part that is not visible collapses to a point, as it does on the CPU.
-    const glm::dmat3 linear = visible ? glm::dmat3(world_from_source) : glm::dmat3(0.0);
-    set_rows(
-        pencil.eye_from_world * linear, pencil.eye_from_world * (origin - pencil.eye), data.eye);
-    set_rows(linear, origin, data.world);
-    const VertexMatrix matrix = vertex_matrix(world_from_source);
-    for (int r = 0; r < 3 && visible; ++r)
-        data.normal[r] = {
-            matrix.normal[3 * r], matrix.normal[3 * r + 1], matrix.normal[3 * r + 2], 0.0f};
+    if (!visible) { // collapsed to a point, as on the CPU
+        for (int r = 0; r < 3; ++r) data.world[r].w = float(world_from_node[3][r]);
+        return data;
+    }
+    const VertexMatrix matrix = vertex_matrix(world_from_node);
+    for (int r = 0; r < 3; ++r) {
+        std::copy_n(matrix.point + 4 * r, 4, &data.world[r].x);
+        std::copy_n(matrix.normal + 3 * r, 3, &data.normal[r].x);
+    }
     return data;
 }
 
@@ -57,7 +49,9 @@ SceneBuffers::SceneBuffers(const Context& context, Detail detail)
       detail_(detail),
       program_(link_program(
           {"pose.comp"}, Defines{{"SURFACES", detail == Detail::surfaces ? "1" : "0"}})),
-      vertices_location_(program_.location("vertices"))
+      vertices_location_(program_.location("vertices")),
+      eye_point_location_(program_.location("eye_point")),
+      eye_row_location_(program_.location("eye_row"))
 {
 }
 
@@ -90,12 +84,16 @@ void SceneBuffers::lend_eye_space(
 bool SceneBuffers::update(const World& world, const Pencil& pencil)
 {
     check_sizes(*world.scene);
+    const bool same_eye =
+        pencil.eye == eye_point_ && pencil.eye_from_world == eye_from_world_ && poses_ > 0;
+    eye_point_ = pencil.eye;
+    eye_from_world_ = pencil.eye_from_world;
     bool is_new = upload_scene(*world.scene);
     is_new |= upload_parts(*world.scene);
-    is_new |= upload_matrices(world, pencil);
+    is_new |= upload_matrices(world);
     is_new |= upload_moving(world);
     check("uploading the scene");
-    return is_new;
+    return is_new || !same_eye;
 }
 
 void SceneBuffers::check_sizes(const Scene& scene) const
@@ -148,8 +146,7 @@ bool SceneBuffers::upload_parts(const Scene& scene)
     for (const Part& part : scene.parts) {
         PartData data;
         data.moving = is_moving(part);
-        // The matrix behind the nodes' is the world's own.
-        data.matrix = data.moving ? std::uint32_t(scene.nodes.size()) : part.node;
+        data.matrix = part.node;
         data.first = moving;
         data.first_vertex = part.first_vertex;
         data.vertex_count = part.vertex_count;
@@ -178,32 +175,26 @@ bool SceneBuffers::upload_parts(const Scene& scene)
 }
 
 /// The matrices of nodes that parts hang on, where they differ from the last frame's.
-bool SceneBuffers::upload_matrices(const World& world, const Pencil& pencil)
+bool SceneBuffers::upload_matrices(const World& world)
 {
-    const std::size_t nodes = world.node_matrix.size();
-    const bool resized = matrices_.size() != nodes + 1;
+    const bool resized = matrices_.size() != world.node_matrix.size();
     if (resized) {
-        matrices_.assign(nodes + 1, MatrixData{});
+        matrices_.assign(world.node_matrix.size(), MatrixData{});
         matrix_.assign(std::span<const MatrixData>(matrices_));
         uploaded_bytes_ += matrices_.size() * sizeof(MatrixData);
     }
     bool is_new = resized;
-    const auto set = [&](std::size_t number, const MatrixData& data) {
-        if (matrices_[number] == data) return;
-        matrix_.upload(number * sizeof(MatrixData), &data, sizeof(MatrixData));
-        matrices_[number] = data;
+    std::size_t last = matrices_.size(); // parts of one node mostly follow each other
+    for (const PartData& part : parts_) {
+        const std::size_t node = part.matrix;
+        if (node == last || part.moving || part.vertex_count == 0) continue;
+        last = node;
+        const MatrixData data = matrix_data(world.node_matrix[node], world.node_visible[node] != 0);
+        if (matrices_[node] == data) continue;
+        matrix_.upload(node * sizeof(MatrixData), &data, sizeof(MatrixData));
+        matrices_[node] = data;
         uploaded_bytes_ += sizeof(MatrixData);
         is_new = true;
-    };
-    std::uint32_t last = 0xFFFFFFFFu; // parts of one node mostly follow each other
-    for (const PartData& part : parts_) {
-        if (part.matrix == last || part.vertex_count == 0) continue;
-        last = part.matrix;
-        if (part.moving)
-            set(nodes, matrix_data(glm::dmat4(1.0), true, pencil));
-        else
-            set(part.matrix, matrix_data(world.node_matrix[part.matrix],
-                                 world.node_visible[part.matrix] != 0, pencil));
     }
     return is_new;
 }
@@ -283,6 +274,9 @@ void SceneBuffers::run_pose()
 
     program_.use();
     glUniform1ui(vertices_location_, vertices_);
+    glUniform3d(eye_point_location_, eye_point_.x, eye_point_.y, eye_point_.z);
+    const glm::dmat3 rows = glm::transpose(eye_from_world_);
+    glUniform3dv(eye_row_location_, 3, &rows[0].x);
     matrix_.bind_storage(0);
     part_.bind_storage(1);
     part_of_.bind_storage(2);

@@ -32,6 +32,10 @@ enum class Detail {
 ///   uv        vec2[V]     or empty: see has_uv()      }
 ///   material  uint[T]     number of its material      }
 ///
+/// Positions are computed as the CPU does, in the same order, eye space in double and rounded once:
+/// where the driver rounds as it should, they have the same bits as the world's and
+/// ViewMemory::corner.
+///
 /// Vertices of rigid parts are posed from the scene's own arrays by matrices; those of parts that
 /// morph or deform are taken from the world, through memory that the driver reads directly (twice
 /// their size, so that a frame can be written while the one before is read). Whether something has
@@ -47,7 +51,7 @@ class SceneBuffers {
     /// throws  DeviceError: an array is too large for the driver, or no memory
     void pose(const World& world, const Pencil& pencil);
 
-    /// As pose, but eye space is as the CPU has it (ViewMemory::corner), bit for bit.
+    /// As pose, but eye space is the CPU's (ViewMemory::corner) for sure.
     /// corner  (V) or more
     void lend_eye_space(
         const World& world, const Pencil& pencil, std::span<const glm::vec4> corner);
@@ -80,7 +84,7 @@ class SceneBuffers {
     void check_sizes(const Scene& scene) const;
     bool upload_scene(const Scene& scene);
     bool upload_parts(const Scene& scene);
-    bool upload_matrices(const World& world, const Pencil& pencil);
+    bool upload_matrices(const World& world);
     bool upload_moving(const World& world);
     bool update(const World& world, const Pencil& pencil);
     void run_pose();
@@ -90,7 +94,9 @@ class SceneBuffers {
     ContextInfo limits_;
     Detail detail_;
     Program program_;
-    GLint vertices_location_ = -1;
+    GLint vertices_location_ = -1, eye_point_location_ = -1, eye_row_location_ = -1;
+    glm::dvec3 eye_point_{0}; // of the newest eye space
+    glm::dmat3 eye_from_world_{0.0};
 
     Buffer index_, eye_, world_, normal_, uv_, material_;
     Buffer rest_position_, rest_normal_, part_of_, part_, matrix_;
@@ -104,10 +110,9 @@ class SceneBuffers {
     KeptCopy<glm::uvec3> kept_index_;
     KeptCopy<std::uint32_t> kept_owner_;
     KeptCopy<PartData> kept_part_;
-    KeptCopy<MatrixData> kept_matrix_;
 
-    std::vector<PartData> parts_; // memory that is kept from frame to frame
-    std::vector<MatrixData> matrices_;
+    std::vector<PartData> parts_;      // memory that is kept from frame to frame
+    std::vector<MatrixData> matrices_; // as they are on OpenGL
     std::vector<std::uint32_t> scratch_;
     std::vector<glm::vec3> moving_position_, moving_normal_;
     std::uint64_t uploaded_bytes_ = 0;

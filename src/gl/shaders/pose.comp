@@ -5,7 +5,6 @@
 layout(local_size_x = 64) in;
 
 struct MatrixData {
-    vec4 eye[3];
     vec4 world[3];
     vec4 normal[3];
 };
@@ -33,6 +32,8 @@ layout(std430, binding = 9) writeonly buffer Normal { vec4 normal[]; };
 #endif
 
 uniform uint vertices;
+uniform dvec3 eye_point;
+uniform dvec3 eye_row[3]; // of eye_from_world
 
 void main()
 {
@@ -42,28 +43,33 @@ void main()
     if (vertex >= vertices) return;
     PartData from = part[part_of[vertex]];
     uint at = 3u * (from.moving != 0u ? from.first + (vertex - from.first_vertex) : vertex);
-    vec4 p;
+    vec3 p;
     if (from.moving != 0u)
-        p = vec4(moving_position[at], moving_position[at + 1u], moving_position[at + 2u], 1.0);
+        p = vec3(moving_position[at], moving_position[at + 1u], moving_position[at + 2u]);
     else
-        p = vec4(rest_position[at], rest_position[at + 1u], rest_position[at + 2u], 1.0);
+        p = vec3(rest_position[at], rest_position[at + 1u], rest_position[at + 2u]);
     uint m = from.matrix;
-    eye[vertex] = vec4(
-        dot(matrix[m].eye[0], p), dot(matrix[m].eye[1], p), dot(matrix[m].eye[2], p), 1.0);
-
-#if SURFACES
-    // In the order of src/scene/pose_kernel.cpp, so the same bits.
+    // In the order of src/scene/pose_kernel.cpp, then of src/visibility/project.cpp: the same bits.
     precise vec3 p_world;
     for (int row = 0; row < 3; ++row) {
         vec4 w = matrix[m].world[row];
         p_world[row] = ((w.x * p.x + w.y * p.y) + w.z * p.z) + w.w;
     }
+    if (from.moving != 0u) p_world = p; // as it is
+    precise dvec3 d = dvec3(p_world) - eye_point;
+    precise vec3 p_eye;
+    for (int row = 0; row < 3; ++row)
+        p_eye[row] = float((eye_row[row].x * d.x + eye_row[row].y * d.y) + eye_row[row].z * d.z);
+    eye[vertex] = vec4(p_eye, 1.0);
+
+#if SURFACES
     world[vertex] = vec4(p_world, 1.0);
-    vec3 n;
-    if (from.moving != 0u)
-        n = vec3(moving_normal[at], moving_normal[at + 1u], moving_normal[at + 2u]);
-    else
-        n = vec3(rest_normal[at], rest_normal[at + 1u], rest_normal[at + 2u]);
+    if (from.moving != 0u) {
+        normal[vertex] =
+            vec4(moving_normal[at], moving_normal[at + 1u], moving_normal[at + 2u], 0.0);
+        return;
+    }
+    vec3 n = vec3(rest_normal[at], rest_normal[at + 1u], rest_normal[at + 2u]);
     vec3 moved = vec3(dot(matrix[m].normal[0].xyz, n), dot(matrix[m].normal[1].xyz, n),
         dot(matrix[m].normal[2].xyz, n));
     float length2 = dot(moved, moved);
