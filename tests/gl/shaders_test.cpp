@@ -22,6 +22,9 @@ struct Variant {
 std::vector<Variant> all_variants()
 {
     return {
+        {"item.vert", {{"COLORS", "0"}}},
+        {"item.frag", {{"COLORS", "0"}}},
+        {"item.frag", {{"COLORS", "1"}}},
         {"pose.comp", {{"SURFACES", "0"}}},
         {"pose.comp", {{"SURFACES", "1"}}},
     };
