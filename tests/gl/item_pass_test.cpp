@@ -43,14 +43,10 @@ std::vector<std::uint32_t> draw(const gl::Context& context, const World& world, 
         range = gl::fit_depth(eye.memory.corner.span(), world.scene->index, pencil, tasks);
     gl::ItemPass pass(context);
     pass.draw(scene, pencil, formats.item, formats.depth, range);
-    gl::ItemReadback readback;
+    gl::ItemReadback readback(context);
     readback.start(pass, chunks > 0 ? Readback::async : Readback::sync, chunks);
     while (readback.rows_ready() < readback.height()) readback.wait();
-    std::vector<std::uint32_t> items;
-    for (int y = 0; y < readback.height(); ++y)
-        for (const std::uint32_t pixel : readback.row(y))
-            items.push_back(gl::decoded(formats.item, pixel));
-    return items;
+    return {readback.picture().begin(), readback.picture().end()};
 }
 
 /// The share of samples whose items are not the cpu engine's.
