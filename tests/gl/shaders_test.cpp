@@ -22,6 +22,10 @@ struct Variant {
 std::vector<Variant> all_variants()
 {
     return {
+        {"certify.vert", {}},
+        {"certify.geom", {}},
+        {"certify.frag", {{"DOUBTS", "0"}}},
+        {"certify.frag", {{"DOUBTS", "1"}}},
         {"item.vert", {{"COLORS", "0"}}},
         {"item.frag", {{"COLORS", "0"}}},
         {"item.frag", {{"COLORS", "1"}}},

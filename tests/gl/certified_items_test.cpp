@@ -1,0 +1,115 @@
+// certified_items_test.cpp - unmarked samples are proven: they are held against the cpu engine's.
+#include "gl/certified_items.h"
+
+#include "../cpu/adversarial_scenes.h"
+#include "gl_context.h"
+#include "items.h"
+#include "scenes.h"
+#include "visibility/lazy_items.h"
+
+#include <vector>
+
+namespace firsthit {
+namespace {
+
+using CertifiedItems = test::OnContext;
+
+struct Counts {
+    std::size_t wrong = 0;       // not marked, and not the exact item
+    std::size_t repaired = 0;    // wrong before the marked ones were decided
+    std::size_t wrong_after = 0; // wrong afterwards
+    double marked = 0;           // share of all samples
+};
+
+Counts count(const gl::Context& context, const World& world, const View& view)
+{
+    const test::EyeWorld eye(world, view);
+    const Pencil& pencil = eye.memory.pencil;
+    const auto width = std::size_t(pencil.width), height = std::size_t(pencil.height);
+    gl::SceneBuffers scene(context, gl::Detail::items);
+    scene.lend_eye_space(world, pencil, eye.memory.corner.span());
+    gl::CertifiedItems pass(context);
+    pass.draw(scene, pencil);
+    std::vector<std::uint32_t> items(width * height);
+    std::vector<std::uint8_t> marks(width * height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, pass.items_target().name());
+    glReadPixels(0, 0, pencil.width, pencil.height, GL_RED_INTEGER, GL_UNSIGNED_INT, items.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, pass.uncertain_target().name());
+    glReadPixels(0, 0, pencil.width, pencil.height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, marks.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+
+    const std::vector<std::uint32_t> expected = test::items_of(world, view);
+    Counts counts;
+    std::vector<ListedSample> listed;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        if (marks[k]) {
+            listed.push_back({std::uint16_t(k % width), std::uint16_t(k / width)});
+            places.push_back(k);
+            counts.repaired += items[k] != expected[k];
+        } else if (items[k] != expected[k] && ++counts.wrong < 6) {
+            ADD_FAILURE() << "sample (" << k % width << ", " << k / width << "): " << items[k]
+                          << ", exact " << expected[k];
+        }
+    }
+    ViewMemory memory;
+    memory.pencil = pencil;
+    memory.index = world.scene->index;
+    Tasks tasks(1);
+    project_vertices(world.position, memory, tasks);
+    LazyMemory lazy;
+    std::vector<std::uint32_t> decided(listed.size());
+    find_listed_items(memory, listed, lazy, decided, tasks);
+    for (std::size_t k = 0; k < decided.size(); ++k) items[places[k]] = decided[k];
+    for (std::size_t k = 0; k < items.size(); ++k) counts.wrong_after += items[k] != expected[k];
+    counts.marked = double(listed.size()) / double(items.size());
+    return counts;
+}
+
+void expect_scene(const gl::Context& context, const std::string& name, double time, double marked)
+{
+    const Scene scene = load_scene(name);
+    World world;
+    pose(scene, time, world);
+    const Counts counts = count(context, world, {world.camera, 512, 512, {}});
+    EXPECT_EQ(counts.wrong, 0u);
+    EXPECT_EQ(counts.wrong_after, 0u);
+    EXPECT_LT(counts.marked, marked);
+    testing::Test::RecordProperty("marked", std::to_string(counts.marked));
+}
+
+TEST_F(CertifiedItems, AreExactForTheTorus)
+{
+    expect_scene(*context, "builtin:torus", 0, 0.001);
+}
+
+TEST_F(CertifiedItems, AreExactForTheRobots)
+{
+    expect_scene(*context, "builtin:robots", 2.5, 0.005);
+}
+
+TEST_F(CertifiedItems, AreExactForAWaveOf100000Triangles)
+{
+    expect_scene(*context, "builtin:wave?n=100000", 0.5, 0.02);
+}
+
+TEST_F(CertifiedItems, AreExactForScenesThatBreakRasterisers)
+{
+    for (const test::AdversarialScene& scene : test::adversarial_scenes()) {
+        for (unsigned seed = 0; seed < 3; ++seed) {
+            SCOPED_TRACE(scene.name + ", seed " + std::to_string(seed));
+            std::mt19937 random(seed);
+            test::TestWorld made;
+            scene.fill(made, random);
+            const Counts counts = count(*context, made.finish(),
+                test::straight_view(test::kSize, test::kSize, test::kSize));
+            EXPECT_EQ(counts.wrong, 0u);
+            EXPECT_EQ(counts.wrong_after, 0u);
+        }
+    }
+}
+
+} // namespace
+} // namespace firsthit
