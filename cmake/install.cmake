@@ -18,3 +18,6 @@ install(FILES
     ${PROJECT_BINARY_DIR}/firsthit-config.cmake
     ${PROJECT_BINARY_DIR}/firsthit-config-version.cmake
     DESTINATION ${config_folder})
+if(FIRSTHIT_BUILD_GL)
+    install(FILES cmake/Findepoxy.cmake DESTINATION ${config_folder})
+endif()
