@@ -28,7 +28,7 @@ layout(std140, binding = 0) uniform Frame
 bool is_shot(ivec2 sample_at)
 {
     ivec2 p = sample_at + frame.corner;
-    return (p.x + p.y * frame.interleave_shift) % frame.interleave == 0;
+    return (p.x + p.y) % frame.interleave == 0;
 }
 
 /// In eye space, x and y times f.

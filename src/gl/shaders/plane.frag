@@ -9,6 +9,7 @@
 #include "phong.glsl"
 #include "texture.glsl"
 #include "shadow_map.glsl"
+#include "materials.glsl"
 #include "sample_texture.glsl"
 #include "surface.glsl"
 #include "lights.glsl"

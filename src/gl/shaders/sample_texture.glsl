@@ -3,7 +3,7 @@
 // All texels of all textures lie in one buffer (gl/texture_words.h): any number of textures of any
 // size, and the texels' weights are the text's own, not a texture unit's 8 bits.
 
-layout(std430, binding = 12) readonly buffer TextureWords { uint texture_words[]; };
+layout(std430, binding = 6) readonly buffer TextureWords { uint texture_words[]; };
 
 const uint kTextureTable = 256u; // before it: linear light of the 256 sRGB codes, floats
 

@@ -2,8 +2,8 @@
 //
 // source  Robert and Schoepke 2006, section 4.2.1; Reeves, Salesin and Cook 1987 (N x N)
 
-layout(std430, binding = 15) readonly buffer Maps { MapData map_data[]; };
-layout(std430, binding = 16) readonly buffer MapDepth { float map_depth[]; };
+layout(std430, binding = 9) readonly buffer Maps { MapData map_data[]; };
+layout(std430, binding = 10) readonly buffer MapDepth { float map_depth[]; };
 
 const float kRounding = 9.5367431640625e-7; // 2^-20
 
