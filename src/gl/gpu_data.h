@@ -33,12 +33,12 @@ struct FrameData {
     glm::vec3 background{0};
     HitTest test = HitTest::test_item;
     glm::vec3 ambient{0};
-    std::int32_t reach = 0;      // neighbours on each side that are tried
-    glm::ivec2 size{0};          // of the part, samples
-    glm::ivec2 corner{0};        // the part's first sample, in the picture
-    std::uint32_t triangles = 0; // items from here on are none
-    std::int32_t interleave = 1; // see film/fill_holes.h
-    std::int32_t unused0 = 0;
+    std::int32_t reach = 0;       // neighbours on each side that are tried
+    glm::ivec2 size{0};           // of the part, samples
+    glm::ivec2 corner{0};         // the part's first sample, in the picture
+    std::uint32_t triangles = 0;  // items from here on are none
+    std::int32_t interleave = 1;  // see film/fill_holes.h
+    std::int32_t has_uv = 0;      // else no texture is looked at
     std::int32_t shadow_maps = 0; // 0: every light reaches everything
     std::int32_t filter = 1;      // N: N x N texels are compared
     float bias = -1;              // of maps
@@ -77,14 +77,14 @@ static_assert(offsetof(RayTransformData, forward) == 48 && sizeof(RayTransformDa
 struct LightData {
     RayTransformData to_frame; // into the axes of shadow/light_frame.h
     glm::vec3 color{0};
-    std::int32_t kind = 0;     // Light::Kind
-    glm::vec3 position{0};     // world space
-    float tan2_cone = 0;       // square of a spot's tangent where its maps end; 0: no cone
-    glm::vec3 to_light{0};     // directional: unit
+    std::int32_t kind = 0;       // Light::Kind
+    glm::vec3 position{0};       // world space
+    float tan2_cone = 0;         // square of a spot's tangent where its maps end; 0: no cone
+    glm::vec3 to_light{0};       // directional: unit
     std::int32_t only_face = -1; // the face of all hits; -1: each hit has its own
-    glm::vec3 axis{0};         // spot: unit, the way the light goes
-    float outer = 0;           // spot: see hits/spot_cone.h
-    glm::vec3 frame_x{1, 0, 0}; // rows of frame_from_world
+    glm::vec3 axis{0};           // spot: unit, the way the light goes
+    float outer = 0;             // spot: see hits/spot_cone.h
+    glm::vec3 frame_x{1, 0, 0};  // rows of frame_from_world
     float inv_width = 0;
     glm::vec3 frame_y{0, 1, 0};
     std::int32_t cube = 0; // six faces
@@ -104,7 +104,7 @@ struct MapData {
     float rounding = 0; // added to it
     std::int32_t unused[3] = {};
 };
-static_assert(offsetof(MapData, first) == 64 && offsetof(MapData, rounding) == 80 &&
-              sizeof(MapData) == 96);
+static_assert(
+    offsetof(MapData, first) == 64 && offsetof(MapData, rounding) == 80 && sizeof(MapData) == 96);
 
 } // namespace firsthit::gl

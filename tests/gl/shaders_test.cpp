@@ -26,7 +26,7 @@ std::vector<Variant> all_variants()
     std::vector<Variant> variants = {{"screen.vert", {}}, {"early_z.frag", {}},
         {"intersect.frag", {}}, {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}},
         {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
-        {"average.frag", {}}};
+        {"average.frag", {}}, {"fill_holes.frag", {}}};
     for (const bool stored : {false, true}) {
         gl::Defines defines;
         if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});

@@ -18,7 +18,7 @@ layout(std140, binding = 0) uniform Frame
     ivec2 corner; // the part's first sample, in the picture
     uint triangles;
     int interleave; // every N-th sample of a row is shot
-    int unused0;
+    int has_uv;
     int shadow_maps; // 0: every light reaches everything
     int filter_size; // N: N x N texels are compared
     float bias;

@@ -13,7 +13,7 @@ float lit_by(int light_id, ivec2 sample_at, Hit hit, Surface surface)
 vec3 texture_of(Surface surface)
 {
     int texture_id = materials[surface.material].texture_id;
-    if (texture_id < 0 || !has_uv()) return vec3(1.0);
+    if (texture_id < 0 || frame.has_uv == 0) return vec3(1.0);
     return sample_texture(texture_id, surface.uv, surface.footprint2);
 }
 

@@ -63,7 +63,7 @@ Surface find_surface(ivec2 sample_at, Hit hit)
     surface.material = triangle_material(hit.item);
     surface.uv = vec2(0.0);
     surface.footprint2 = 0.0;
-    if (has_uv()) {
+    if (frame.has_uv != 0) {
         vec2 uv0 = vertex_uv(corner.x);
         vec2 uv1 = vertex_uv(corner.y) - uv0;
         vec2 uv2 = vertex_uv(corner.z) - uv0;
