@@ -27,5 +27,6 @@ inline constexpr GLuint kFrame = 0;
 /// Texture units.
 inline constexpr GLuint kItemsUnit = 0;
 inline constexpr GLuint kHitsUnit = 1;
+inline constexpr GLuint kColorsUnit = 2;
 
 } // namespace firsthit::gl

@@ -4,17 +4,16 @@
 #include "base/srgb.h"
 #include "gl/bindings.h"
 #include "gl/context.h"
-#include "gl/gpu_data.h"
 #include "shade/phong_exponent.h"
 
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
-#include <cstdint>
 #include <limits>
-#include <vector>
+#include <span>
 
 namespace firsthit::gl {
 namespace {
@@ -34,9 +33,9 @@ std::size_t texels_of(const Texture::Level& level)
     return can_sample(level) ? std::size_t(level.width) * std::size_t(level.height) : 0;
 }
 
-std::vector<MaterialData> material_data(const Scene& scene)
+void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
 {
-    std::vector<MaterialData> all;
+    all.clear();
     for (const Material& material : scene.materials) {
         const PhongExponent exponent = phong_exponent(material.shininess);
         MaterialData data{.ambient = material.ambient,
@@ -50,13 +49,12 @@ std::vector<MaterialData> material_data(const Scene& scene)
             data.texture = material.texture;
         all.push_back(data);
     }
-    return all;
 }
 
 /// What comes before the texels; their places are filled in.
-std::vector<std::uint32_t> texture_tables(const Scene& scene)
+void fill_tables(const Scene& scene, std::vector<std::uint32_t>& words)
 {
-    std::vector<std::uint32_t> words;
+    words.clear();
     for (const float light : linear_from_srgb())
         words.push_back(std::bit_cast<std::uint32_t>(light));
     std::size_t row = words.size() + 2 * scene.textures.size(), levels = 0;
@@ -74,32 +72,53 @@ std::vector<std::uint32_t> texture_tables(const Scene& scene)
             words.push_back(texels > 0 ? std::uint32_t(level.height) : 0);
             texel += texels;
         }
-    return words;
+}
+
+/// Calls body(level, its first texel's place) for all levels of all textures.
+template <class Body>
+void for_levels(const Scene& scene, std::size_t first, const Body& body)
+{
+    for (const Texture& texture : scene.textures)
+        for (const Texture::Level& level : texture.levels) {
+            body(level, first);
+            first += texels_of(level);
+        }
 }
 
 } // namespace
 
-void MaterialBuffers::upload(const Scene& scene, std::int64_t max_storage_bytes)
+void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
 {
-    const std::vector<std::uint32_t> tables = texture_tables(scene);
-    std::size_t words = tables.size();
-    for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels) words += texels_of(level);
-    if (words * 4 > std::size_t(max_storage_bytes))
-        throw DeviceError(fmt::format("OpenGL: the textures take {} bytes, one buffer may have {} "
-                                      "({})",
-            words * 4, max_storage_bytes, driver_name()));
+    fill_materials(scene, material_);
+    if (kept_material_.follow(material_)) {
+        materials_.assign(std::span<const MaterialData>(material_));
+        ++uploads_;
+    }
 
-    texture_words_.resize(words * 4);
-    texture_words_.upload(0, tables.data(), tables.size() * 4);
-    std::size_t next = tables.size() * 4;
-    for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels) {
-            texture_words_.upload(next, level.texel.data(), texels_of(level) * 4);
-            next += texels_of(level) * 4;
-        }
-    materials_.assign(std::span<const MaterialData>(material_data(scene)));
-    check("uploading materials and textures");
+    fill_tables(scene, tables_);
+    std::size_t size = tables_.size();
+    for_levels(scene, 0,
+        [&](const Texture::Level& level, std::size_t) { size += texels_of(level); });
+    if (size * 4 > std::size_t(max_storage_bytes))
+        throw DeviceError(
+            fmt::format("OpenGL: the textures take {} bytes, one buffer may have {} ({})", size * 4,
+                max_storage_bytes, driver_name()));
+    bool same = words_.size() == size && std::equal(tables_.begin(), tables_.end(), words_.begin());
+    if (same)
+        for_levels(scene, tables_.size(), [&](const Texture::Level& level, std::size_t first) {
+            const auto* texel = level.texel.data();
+            same = same && std::equal(texel, texel + texels_of(level), words_.data() + first);
+        });
+    if (same) return;
+
+    words_.resize(size);
+    std::copy(tables_.begin(), tables_.end(), words_.begin());
+    for_levels(scene, tables_.size(), [&](const Texture::Level& level, std::size_t first) {
+        std::copy_n(level.texel.data(), texels_of(level), words_.data() + first);
+    });
+    texture_words_.assign(std::span<const std::uint32_t>(words_));
+    ++uploads_;
+    check("uploading textures");
 }
 
 void MaterialBuffers::bind() const
