@@ -23,7 +23,8 @@ struct Variant {
 /// All that the library compiles: a new shader or define gets its line here.
 std::vector<Variant> all_variants()
 {
-    std::vector<Variant> variants = {{"screen.vert", {}}, {"early_z.frag", {}},
+    std::vector<Variant> variants = {{"pose.comp", {{"SURFACES", "0"}}},
+        {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}}, {"early_z.frag", {}},
         {"intersect.frag", {}}, {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}},
         {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
         {"average.frag", {}}, {"fill_holes.frag", {}}};
