@@ -6,6 +6,7 @@
 #define HWY_TARGET_INCLUDE "hits/resolve_tile.cpp"
 #include "base/simd.h"
 
+#include "hits/item_runs-inl.h"
 #include "hits/resolve_tile.h"
 #include "visibility/set_up-inl.h"
 
@@ -42,22 +43,6 @@ struct RunBatch {
             glm::vec3(corner[6][i], corner[7][i], corner[8][i])};
     }
 };
-
-/// Samples of a block whose item is `id`, a bit each.
-HWY_INLINE std::uint64_t samples_with(const std::uint32_t* items, std::uint32_t id)
-{
-    const hn::CappedTag<std::uint32_t, 16> d;
-    const auto wanted = hn::Set(d, id);
-    std::uint64_t samples = 0;
-    for (int k = 0; k < kBlockSamples; k += int(hn::Lanes(d))) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Eq(hn::Load(d, items + k), wanted), bytes);
-        std::uint64_t word;
-        std::memcpy(&word, bytes, 8);
-        samples |= word << k;
-    }
-    return samples;
-}
 
 void fill_misses(int block, const HitPlaces& places)
 {
@@ -179,10 +164,7 @@ void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const 
         keep(weight(v), places.v);
         const auto plausible = hn::And(hn::Ge(t, nearest), hn::Le(t, farthest));
         if (!hn::AllTrue(f, hn::Or(plausible, hn::Not(mask)))) [[unlikely]] {
-            std::memset(bytes, 0, 8);
-            hn::StoreMaskBits(f, hn::AndNot(plausible, mask), bytes);
-            std::uint64_t suspect;
-            std::memcpy(&suspect, bytes, 8);
+            const std::uint64_t suspect = bits_of(f, hn::AndNot(plausible, mask));
             float x_in_tile[8], y_in_tile[8];
             for (int lane = 0; lane < lanes; ++lane) {
                 x_in_tile[lane] = float(block_x) + sample_x[k + lane];
