@@ -37,12 +37,13 @@ struct FrameData {
     glm::ivec2 size{0};           // of the part, samples
     glm::ivec2 corner{0};         // the part's first sample, in the picture
     std::uint32_t triangles = 0;  // items from here on are none
-    std::int32_t interleave = 1;  // see film/fill_holes.h
+    std::int32_t interleave = 1; // every so-many-th sample of a row is shot
     std::int32_t has_uv = 0;      // else no texture is looked at
     std::int32_t shadow_maps = 0; // 0: every light reaches everything
     std::int32_t filter = 1;      // N: N x N texels are compared
     float bias = -1;              // of maps
-    std::int32_t unused1[2] = {};
+    std::int32_t interleave_shift = 0; // from row to row
+    std::int32_t unused = 0;
 };
 static_assert(offsetof(FrameData, first_x) == 28 && offsetof(FrameData, lights) == 60 &&
               offsetof(FrameData, ambient) == 80 && offsetof(FrameData, size) == 96 &&

@@ -17,18 +17,19 @@ layout(std140, binding = 0) uniform Frame
     ivec2 size; // of the part, samples
     ivec2 corner; // the part's first sample, in the picture
     uint triangles;
-    int interleave; // every N-th sample of a row is shot
+    int interleave; // every so-many-th sample of a row is shot
     int has_uv;
     int shadow_maps; // 0: every light reaches everything
     int filter_size; // N: N x N texels are compared
-    float bias;
+    float bias; // of maps
+    int interleave_shift; // from row to row
 } frame;
 
 /// Whether the sample's ray is shot, or its colour comes from its neighbours.
 bool is_shot(ivec2 sample_at)
 {
     ivec2 p = sample_at + frame.corner;
-    return (p.x + p.y) % frame.interleave == 0;
+    return (p.x + p.y * frame.interleave_shift) % frame.interleave == 0;
 }
 
 /// In eye space, x and y times f.
