@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace firsthit::cli {
 
@@ -115,6 +117,17 @@ AovOutput parse_aov(const std::string& text)
     } catch (const ArgumentError& error) {
         throw UsageError(error.what());
     }
+}
+
+Multisample parse_multisample(const std::string& text)
+{
+    constexpr std::pair<std::string_view, Multisample> kModes[] = {{"none", Multisample::none},
+        {"lazy3", Multisample::lazy3}, {"lazy5", Multisample::lazy5}, {"full3", Multisample::full3},
+        {"full5", Multisample::full5}, {"exact", Multisample::exact}};
+    for (const auto& [name, mode] : kModes)
+        if (text == name) return mode;
+    throw UsageError(
+        fmt::format("'{}' is not accepted: none, lazy3, lazy5, full3, full5 or exact", text));
 }
 
 double parse_fov(const std::string& text)

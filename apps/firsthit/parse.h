@@ -4,6 +4,7 @@
 #include "usage.h"
 
 #include <firsthit/film.h>
+#include <firsthit/render.h>
 
 #include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
@@ -42,6 +43,9 @@ struct AovOutput {
 
 /// "name=file"
 AovOutput parse_aov(const std::string& text);
+
+/// "none", "lazy3", "lazy5", "full3", "full5" or "exact"
+Multisample parse_multisample(const std::string& text);
 
 /// A full vertical angle in degrees, above 0 and below 180, as radians.
 double parse_fov(const std::string& text);

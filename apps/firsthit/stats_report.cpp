@@ -45,6 +45,8 @@ constexpr Count kCounts[] = {
     {"ambiguous lanes", "ambiguous_lanes", &Stats::ambiguous_lanes},
     {"exact calls", "exact_calls", &Stats::exact_calls},
     {"hits", "hits", &Stats::hits},
+    {"missed", "missed", &Stats::missed},
+    {"interpolated", "interpolated", &Stats::interpolated},
     {"shadow points", "shadow_points", &Stats::shadow_points},
     {"shadow triangles", "shadow_triangles", &Stats::shadow_triangles},
     {"shadow pairs", "shadow_pairs", &Stats::shadow_pairs},

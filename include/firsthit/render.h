@@ -114,6 +114,8 @@ struct Stats {
     std::uint64_t ambiguous_lanes = 0;  // depth order that the float filter left open
     std::uint64_t exact_calls = 0;      // answered by expansion arithmetic
     std::uint64_t hits = 0;             // samples with an item
+    std::uint64_t missed = 0;           // samples whose triangle is not found (OpenGL's items)
+    std::uint64_t interpolated = 0;     // pixels that got the colours around them
     std::uint64_t shadow_points = 0;    // exact: (hit, light) pairs that a shadow ray decides
     std::uint64_t shadow_triangles = 0; // triangles set up, once for each light and cell of points
     std::uint64_t shadow_pairs = 0;     // tests of a triangle against a point

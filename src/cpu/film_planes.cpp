@@ -56,6 +56,47 @@ void copy_plane(const PixelRect& rect, int film_width, int tile_size,
     });
 }
 
+bool is_hole(const TilePlace& place, int offset)
+{
+    return place.holes[std::size_t(offset) / kBlockSamples] >> offset % kBlockSamples & 1;
+}
+
+bool has_holes(const TilePlace& place)
+{
+    return std::any_of(place.holes.begin(), place.holes.end(), [](std::uint64_t w) { return w; });
+}
+
+/// Calls f(offset in the tile) for the samples of pixel (x, y) of the tile.
+template <class F>
+void for_samples(const TilePlace& place, int x, int y, const F& f)
+{
+    const int n = place.samples;
+    for (int sy = 0; sy < n; ++sy)
+        for (int sx = 0; sx < n; ++sx) f(tile_offset(x * n + sx, y * n + sy, place.view.tile_size));
+}
+
+/// Where a pixel has holes and other samples: the mean colour of the others.
+void average_without_holes(const PixelRect& rect, const TilePlace& place,
+    const std::array<const float*, 3>& from, Film& film)
+{
+    for (int y = 0; y < rect.height; ++y) {
+        for (int x = 0; x < rect.width; ++x) {
+            float sum[3] = {};
+            int count = 0;
+            for_samples(place, x, y, [&](int offset) {
+                if (is_hole(place, offset)) return;
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += from[c][offset];
+                ++count;
+            });
+            if (count == 0 || count == place.samples * place.samples) continue;
+            const std::size_t pixel = std::size_t(rect.film_y + y) * std::size_t(film.width) +
+                                      std::size_t(rect.film_x + x);
+            for (std::size_t c = 0; c < 3; ++c)
+                film.color.value[pixel * 3 + c] = sum[c] / float(count);
+        }
+    }
+}
+
 /// The mean colour of each pixel's samples.
 void average_color(const PixelRect& rect, const TilePlace& place,
     const std::array<const float*, 3>& from, Film& film)
@@ -191,13 +232,28 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
         store_hits(rect, hits, film);
         if (!film[Aov::lit].empty()) store_lit(rect, hits, lit, film.width, film[Aov::lit]);
     } else if (shaded.color[0]) {
-        average_color(rect, place, {shaded.color[0], shaded.color[1], shaded.color[2]}, film);
+        const std::array<const float*, 3> color{shaded.color[0], shaded.color[1], shaded.color[2]};
+        average_color(rect, place, color, film);
+        if (has_holes(place)) average_without_holes(rect, place, color, film);
     }
     copy2(shaded.uv, film[Aov::uv]);
     copy3(shaded.normal, film[Aov::normal]);
     copy3(shaded.geometric_normal, film[Aov::geometric_normal]);
     copy3(shaded.position, film[Aov::position]);
     copy3(shaded.albedo, film[Aov::albedo]);
+}
+
+void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask)
+{
+    const PixelRect rect = pixels_of(place);
+    const bool any = has_holes(place);
+    for (int y = 0; y < rect.height; ++y) {
+        std::uint8_t* row = mask.data() + std::size_t(rect.film_y + y) * std::size_t(film_width) +
+                            std::size_t(rect.film_x);
+        std::fill_n(row, rect.width, std::uint8_t(any));
+        for (int x = 0; any && x < rect.width; ++x)
+            for_samples(place, x, y, [&](int offset) { row[x] &= is_hole(place, offset); });
+    }
 }
 
 std::uint64_t count_hits(const HitTile& hits)

@@ -12,6 +12,8 @@ struct TilePlace {
     Region region; // the pixels that the film covers
     int samples;   // on a pixel's side
     int tile;
+    /// Samples that have no colour of their own, a word for each block of the tile; empty: none.
+    std::span<const std::uint64_t> holes = {};
 };
 
 /// Points the targets that are asked for at memory for one tile, the others at null.
@@ -25,10 +27,14 @@ void resize(
 /// Empties the planes that are not asked for.
 void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
 
-/// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples,
-/// summed in a fixed order. The other planes need samples = 1.
+/// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples
+/// that are no holes (of all where all are), summed in a fixed order. The other planes need samples
+/// = 1.
 void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     const ShadeTargets& shaded, Film& film);
+
+/// Marks the tile's pixels whose samples are all holes: mask (height, width) of the film, 1 or 0.
+void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask);
 
 /// Samples with an item.
 std::uint64_t count_hits(const HitTile& hits);

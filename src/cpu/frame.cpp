@@ -18,6 +18,8 @@ struct Pass {
     bool color = true;
     std::span<const Aov> aovs;
     const Settings* shadows = nullptr; // how to find them; null: every light reaches everything
+    const Lattice* lattice = nullptr;  // the pixels whose rays are shot; null: all
+    bool fill = false;                 // holes get the colours around them
 };
 
 /// Samples on the side of a part whose hits are kept for the lights: 100 MB, and 400 MB, so that
@@ -62,13 +64,21 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
 }
 
 /// The tile's items and hits. Which triangle does each sample see, and where exactly?
-HitTile see_tile(
-    ItemSource& items, FrameMemory& memory, std::size_t tile, std::size_t place, std::size_t number)
+HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameMemory& memory,
+    std::size_t tile, std::size_t place, std::size_t number)
 {
     TileWorker& worker = *memory.workers[number];
     Stopwatch lap;
-    std::fill(std::begin(worker.holes), std::end(worker.holes), 0);
-    items.tile(memory.view, int(tile), worker.items, worker.holes, number);
+    const std::span<std::uint64_t> holes = memory.holes.of(place);
+    std::fill(holes.begin(), holes.end(), 0);
+    items.tile(memory.view, int(tile), worker.items, holes, number);
+    if (pass.lattice) {
+        const int tiles_x = memory.view.tiles_x, size = memory.view.tile_size;
+        worker.missed_count += keep_lattice(*pass.lattice, part.x + int(tile) % tiles_x * size,
+            part.y + int(tile) / tiles_x * size, worker.items, holes);
+    } else {
+        worker.missed_count += count_holes(holes);
+    }
     worker.raster_ms += lap.lap_ms();
     const HitTile hits = resolve_tile(memory.view, worker.items, memory.hits.of(place));
     worker.resolve_ms += lap.lap_ms();
@@ -81,11 +91,12 @@ HitTile see_tile(
 
 /// The tile's colours and planes, to the film.
 void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
-    const TilePlace& place, TileWorker& worker, Film& film)
+    const TilePlace& place, TileWorker& worker, std::span<std::uint8_t> hole_pixels, Film& film)
 {
     Stopwatch lap;
     shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
     store_tile(place, hits, lit, worker.shade.targets, film);
+    if (!place.holes.empty()) mark_holes(place, film.width, hole_pixels);
     worker.shade_ms += lap.lap_ms();
 }
 
@@ -117,21 +128,26 @@ void render_part(const World& world, const View& view, const Region& part, const
         return;
     }
     const std::size_t tiles = std::size_t(memory.view.tiles());
-    const auto place = [&](std::size_t tile) {
-        return TilePlace{memory.view, part, view.region, pass.samples, int(tile)};
+    const std::size_t kept = pass.shadows ? tiles : std::size_t(tasks.threads());
+    resize(memory.hits, tile_size, kept);
+    resize(memory.holes, tile_size, kept);
+    const auto finish = [&](std::size_t tile, std::size_t place, const LitTile& lit,
+                            const HitTile& hits, std::size_t number) {
+        TilePlace where{memory.view, part, view.region, pass.samples, int(tile)};
+        if (pass.fill) where.holes = memory.holes.of(place);
+        finish_tile(
+            world, hits, lit, where, *memory.workers[number], memory.holes.pixel.span(), film);
     };
     if (!pass.shadows) {
-        resize(memory.hits, tile_size, std::size_t(tasks.threads()));
         for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
-            const HitTile hits = see_tile(items, memory, tile, number, number);
-            finish_tile(world, hits, {}, place(tile), *memory.workers[number], film);
+            const HitTile hits = see_tile(items, part, pass, memory, tile, number, number);
+            finish(tile, number, {}, hits, number);
         });
     } else {
-        resize(memory.hits, tile_size, tiles);
         memory.tiles.resize(tiles);
         start_lit(world, *pass.shadows, tasks.threads(), memory.lit);
         for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
-            memory.tiles[tile] = see_tile(items, memory, tile, tile, number);
+            memory.tiles[tile] = see_tile(items, part, pass, memory, tile, tile, number);
             add_lit_hits(memory.tiles[tile], memory.lit, number);
         });
         watch.lap_ms();
@@ -143,7 +159,7 @@ void render_part(const World& world, const View& view, const Region& part, const
             Stopwatch lap;
             const LitTile lit = lit_of_tile(world, memory.tiles, tile, memory.lit, worker.lit);
             worker.shadow_ms += lap.lap_ms();
-            finish_tile(world, memory.tiles[tile], lit, place(tile), worker, film);
+            finish(tile, tile, lit, memory.tiles[tile], number);
         });
     }
     stats.in_view += memory.view.in_view_count;
@@ -164,6 +180,8 @@ void prepare(const Pass& pass, int tile_size, const World& world, const View& vi
                 world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size));
     }
     resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
+    if (pass.fill)
+        memory.holes.pixel.resize(std::size_t(view.region.width) * std::size_t(view.region.height));
 }
 
 void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
@@ -184,6 +202,10 @@ void render_pass(const World& world, const View& view, const Pass& pass, int til
             render_part(world, view, part, pass, tile, items, memory, tasks, film, stats);
         }
     }
+    if (!pass.fill) return;
+    Stopwatch watch;
+    stats.interpolated += interpolate_holes(memory.holes, tasks, film);
+    stats.shade_ms += watch.lap_ms();
 }
 
 /// Moves the workers' times and counts to the statistics.
@@ -198,9 +220,10 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
         stats.ambiguous_lanes += worker->counts.ambiguous;
         stats.exact_calls += worker->counts.effort.exact_calls;
         stats.hits += worker->hit_count;
+        stats.missed += worker->missed_count;
         worker->raster_ms = worker->resolve_ms = worker->shadow_ms = worker->shade_ms = 0;
         worker->counts = {};
-        worker->hit_count = 0;
+        worker->hit_count = worker->missed_count = 0;
     }
     add_lit_stats(memory.lit, stats);
 }
@@ -214,9 +237,13 @@ void render_frame(const World& world, const View& view, const Settings& settings
     film.width = view.region.width;
     film.height = view.region.height;
     clear_unused(film, settings.color, settings.aovs);
-    // Planes are of the ray through the pixel's centre: with several samples they are a second
-    // pass.
-    const bool together = settings.samples == 1;
+    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
+    // not all pixels, they are a second pass.
+    const bool together = settings.samples == 1 && settings.interleave == 1;
+    const Lattice lattice(settings.interleave);
+    const Lattice* const shot = settings.interleave > 1 ? &lattice : nullptr;
+    // Our own items have no holes.
+    const bool fill = settings.color && settings.interpolate && (shot || &items != &memory.raster);
     const std::span<const Aov> aovs = settings.aovs;
     const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
     const bool lit = std::find(aovs.begin(), aovs.end(), Aov::lit) != aovs.end();
@@ -224,7 +251,7 @@ void render_frame(const World& world, const View& view, const Settings& settings
     if (settings.color || together)
         render_pass(world, view,
             {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
-                find_shadows(settings.color || lit)},
+                find_shadows(settings.color || lit), shot, fill},
             settings.tile_size, items, memory, tasks, film, stats);
     if (!together && !aovs.empty())
         render_pass(world, view, {1, false, aovs, find_shadows(lit)}, settings.tile_size, items,

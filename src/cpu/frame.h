@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "cpu/holes.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
 #include "shadow/lit_stage.h"
@@ -25,12 +26,12 @@ struct ShadeMemory {
 /// What one worker needs to make a tile.
 struct TileWorker {
     ItemTile items{};
-    std::uint64_t holes[(kMaxTile / kBlock) * (kMaxTile / kBlock)] = {}; // see ItemSource
     ShadeMemory shade;
     Buffer<float> lit; // (lights, samples) of a tile
     double raster_ms = 0, resolve_ms = 0, shadow_ms = 0, shade_ms = 0;
     TileCounts counts;
     std::uint64_t hit_count = 0;
+    std::uint64_t missed_count = 0;
 };
 
 /// Everything a frame needs, allocated once and reused.
@@ -40,6 +41,7 @@ struct FrameMemory {
     HitMemory hits;             // of all tiles where lights wait for them, else one a worker
     std::vector<HitTile> tiles; // of all tiles
     LitMemory lit;
+    HoleMemory holes;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };
 

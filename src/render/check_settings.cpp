@@ -1,6 +1,7 @@
 // check_settings.cpp - refuses what cannot be rendered, with what is accepted.
 #include "render/check_settings.h"
 
+#include "cpu/lattice.h"
 #include "exact/pencil.h"
 
 #include <firsthit/error.h>
@@ -69,6 +70,13 @@ void check(const Settings& settings, std::size_t lights)
     if (settings.tile_size < 8 || settings.tile_size > 128 || settings.tile_size % 8 != 0)
         throw ArgumentError(fmt::format(
             "tile size {} is not accepted: a multiple of 8 from 8 to 128", settings.tile_size));
+    if (settings.interleave < 1 || settings.interleave > Lattice::kMost)
+        throw ArgumentError(fmt::format(
+            "interleave {} is out of range: 1 to {}", settings.interleave, Lattice::kMost));
+    if (settings.interleave > 1 && settings.samples > 1)
+        throw ArgumentError(
+            fmt::format("interleave {} needs 1 sample, not {}: it shoots less than a ray a pixel",
+                settings.interleave, settings.samples));
     check_shadows(settings);
     if (std::find(settings.aovs.begin(), settings.aovs.end(), Aov::lit) == settings.aovs.end())
         return;

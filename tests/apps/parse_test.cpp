@@ -90,6 +90,16 @@ TEST(Parse, AnUnknownPlaneIsAnErrorThatListsTheNames)
         std::string::npos);
 }
 
+TEST(Parse, MultisamplingHasSixNames)
+{
+    EXPECT_EQ(parse_multisample("none"), Multisample::none);
+    EXPECT_EQ(parse_multisample("lazy5"), Multisample::lazy5);
+    EXPECT_EQ(parse_multisample("full3"), Multisample::full3);
+    EXPECT_EQ(parse_multisample("exact"), Multisample::exact);
+    for (const char* text : {"", "Lazy3", "lazy", "lazy33"})
+        EXPECT_THROW(parse_multisample(text), UsageError) << text;
+}
+
 TEST(Parse, AFieldOfViewLiesBetweenZeroAnd180Degrees)
 {
     EXPECT_NEAR(parse_fov("90"), 1.5707963267948966, 1e-15);

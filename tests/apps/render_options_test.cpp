@@ -46,6 +46,25 @@ TEST(RenderOptions, EveryOptionArrives)
     EXPECT_EQ(options.scene.load.cone_segments, 8);
 }
 
+TEST(RenderOptions, WhatIsInterpolatedArrives)
+{
+    const Settings plain = render_settings(parse("s -o a.png"));
+    EXPECT_EQ(plain.interleave, 1);
+    EXPECT_EQ(plain.multisample, Multisample::lazy3);
+    EXPECT_TRUE(plain.interpolate);
+    const Settings settings =
+        render_settings(parse("s -o a.png --interleave 3 --multisample full5 --no-interpolate"));
+    EXPECT_EQ(settings.interleave, 3);
+    EXPECT_EQ(settings.multisample, Multisample::full5);
+    EXPECT_FALSE(settings.interpolate);
+}
+
+TEST(RenderOptions, LessAndMoreThanARayAPixelExcludeEachOther)
+{
+    EXPECT_THROW(check(parse("s -o a.png --interleave 2 --samples 2")), UsageError);
+    EXPECT_NO_THROW(check(parse("s -o a.png --interleave 2 --samples 1")));
+}
+
 TEST(RenderOptions, PlanesAreCollectedAndLeaveTheSceneAlone)
 {
     const RenderOptions options = parse("--aov item=i.npy --aov depth=d.exr s.ply");
@@ -59,9 +78,12 @@ TEST(RenderOptions, WrongValuesAreNamedByTheirOption)
 {
     EXPECT_EQ(message_of<UsageError>([] { parse("s -o a.png --samples 17"); }),
         "--samples: '17' is no integer from 1 to 16");
-    for (const char* line : {"s -o a.png --size 0x0", "s -o a.png --threads -1",
-             "s -o a.png --tile-size 12", "s -o a.png --fov 180", "s -o a.png --aov depth",
-             "s -o a.png --crease-angle 181", "s -o a.png --sphere-segments 2"})
+    EXPECT_EQ(message_of<UsageError>([] { parse("s -o a.png --multisample lazy7"); }),
+        "--multisample: 'lazy7' is not accepted: none, lazy3, lazy5, full3, full5 or exact");
+    for (const char* line :
+        {"s -o a.png --size 0x0", "s -o a.png --interleave 0", "s -o a.png --threads -1",
+            "s -o a.png --tile-size 12", "s -o a.png --fov 180", "s -o a.png --aov depth",
+            "s -o a.png --crease-angle 181", "s -o a.png --sphere-segments 2"})
         EXPECT_THROW(parse(line), UsageError) << line;
 }
 

@@ -50,6 +50,19 @@ TEST(StatsReport, TheJsonHasEveryFrame)
     EXPECT_EQ(json["width"], 64);
 }
 
+TEST(StatsReport, WhatIsMissedAndInterpolatedIsReported)
+{
+    RunReport report = two_frames();
+    report.frames[0].stats.missed = 12345;
+    report.frames[0].stats.interpolated = 67890;
+    const Json frame = stats_json(report)["frames"][0];
+    EXPECT_EQ(frame["missed"], 12345);
+    EXPECT_EQ(frame["interpolated"], 67890);
+    const std::string table = stats_table(report);
+    EXPECT_NE(table.find("12345"), std::string::npos) << table;
+    EXPECT_NE(table.find("67890"), std::string::npos) << table;
+}
+
 TEST(StatsReport, TheJsonHasTheCountsOfShadows)
 {
     RunReport report = two_frames();

@@ -65,6 +65,14 @@ TEST(FrameAllocation, IsNoneWithSupersampling)
     EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
 }
 
+TEST(FrameAllocation, IsNoneWhereFramesAreInterleaved)
+{
+    Settings settings;
+    settings.interleave = 3;
+    settings.aovs = {Aov::item};
+    EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
+}
+
 TEST(FrameAllocation, IsNoneWithTheShadowsOfTwoLights)
 {
     for (const char* name : {"builtin:robots", "builtin:wave?n=20000"}) {

@@ -248,6 +248,10 @@ TEST(Renderer, RefusesWhatCannotBeRendered)
     expect_refused("region", [&](View& v, Settings&) { v.region = {least, least, 0, 0}; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 0; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 17; });
+    for (const int every : {-1, 0, 17})
+        expect_refused("1 to 16", [&](View&, Settings& s) { s.interleave = every; });
+    expect_refused(
+        "needs 1 sample, not 2", [](View&, Settings& s) { s.interleave = 2, s.samples = 2; });
     expect_refused("tile", [](View&, Settings& s) { s.tile_size = 12; });
     for (const int size : {-1, 1, 15, 8193})
         expect_refused("16 to 8192", [&](View&, Settings& s) { s.shadow_map_size = size; });

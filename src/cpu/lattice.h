@@ -1,0 +1,58 @@
+// lattice.h - which pixels' rays are shot when pictures are interleaved.
+//
+//     N = 2    N = 3     N = 5
+//     x . x .  x . . x   x . . . . x
+//     . x . x  . . x .   . . . x . .
+//     x . x .  . x . .   . x . . . .
+#pragma once
+
+#include "base/tile_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace firsthit {
+
+/// Every N-th pixel of each row, shifted from row to row by what keeps the nearest pixels of the
+/// lattice farthest apart, so that no pixel is far from one.
+class Lattice {
+  public:
+    static constexpr int kMost = 16;
+
+    /// every  1 to kMost
+    explicit constexpr Lattice(int every) : every_(every), shift_(best_shift(every))
+    {
+        for (int phase = 0; phase < every; ++phase)
+            for (int k = 0; k < kBlockSamples; ++k)
+                if ((phase + block_x(k) + shift_ * block_y(k)) % every == 0)
+                    shot_[std::size_t(phase)] |= std::uint64_t(1) << k;
+    }
+
+    /// Of the 8x8 pixels from (x, y) of the picture on, both from 0; bits in tile order.
+    constexpr std::uint64_t shot(int x, int y) const
+    {
+        return shot_[std::size_t((x + shift_ * y) % every_)];
+    }
+
+  private:
+    static constexpr int best_shift(int every)
+    {
+        int best = 0, farthest = 0;
+        for (int shift = 0; shift < every; ++shift) {
+            int nearest = every * every; // squared distance to the next of the same row
+            for (int y = 1; y < every; ++y) {
+                const int x = shift * y % every;
+                const int across = std::min(x, every - x);
+                nearest = std::min(nearest, across * across + y * y);
+            }
+            if (nearest > farthest) farthest = nearest, best = shift;
+        }
+        return best;
+    }
+
+    int every_, shift_;
+    std::array<std::uint64_t, kMost> shot_{};
+};
+
+} // namespace firsthit
