@@ -33,15 +33,15 @@ struct FrameData {
     glm::vec3 background{0};
     HitTest test = HitTest::test_item;
     glm::vec3 ambient{0};
-    std::int32_t reach = 0;       // neighbours on each side that are tried
-    glm::ivec2 size{0};           // of the part, samples
-    glm::ivec2 corner{0};         // the part's first sample, in the picture
-    std::uint32_t triangles = 0;  // items from here on are none
-    std::int32_t interleave = 1; // every so-many-th sample of a row is shot
-    std::int32_t has_uv = 0;      // else no texture is looked at
-    std::int32_t shadow_maps = 0; // 0: every light reaches everything
-    std::int32_t filter = 1;      // N: N x N texels are compared
-    float bias = -1;              // of maps
+    std::int32_t reach = 0;            // neighbours on each side that are tried
+    glm::ivec2 size{0};                // of the part, samples
+    glm::ivec2 corner{0};              // the part's first sample, in the picture
+    std::uint32_t triangles = 0;       // items from here on are none
+    std::int32_t interleave = 1;       // every so-many-th sample of a row is shot
+    std::int32_t has_uv = 0;           // else no texture is looked at
+    std::int32_t shadow_maps = 0;      // 0: every light reaches everything
+    std::int32_t filter = 1;           // N: N x N texels are compared
+    float bias = -1;                   // of maps
     std::int32_t interleave_shift = 0; // from row to row
     std::int32_t unused = 0;
 };

@@ -1,7 +1,10 @@
 // gpu_frame.cpp - the gpu engine: a picture from a posed world, all by OpenGL.
 #include "gl/gpu_frame.h"
 
+#include "film/film_size.h"
 #include "gl/bindings.h"
+#include "hits/lattice.h"
+#include "hits/multisample.h"
 
 #include <firsthit/error.h>
 
@@ -36,18 +39,22 @@ namespace {
 HitTest hit_test(Multisample multisample)
 {
     switch (multisample) {
-    case Multisample::exact: return HitTest::take_item;
-    case Multisample::none: return HitTest::test_item;
+    case Multisample::exact:
+        return HitTest::take_item;
+    case Multisample::none:
+        return HitTest::test_item;
     case Multisample::lazy3:
-    case Multisample::lazy5: return HitTest::try_neighbours;
+    case Multisample::lazy5:
+        return HitTest::try_neighbours;
     case Multisample::full3:
-    case Multisample::full5: return HitTest::try_all;
+    case Multisample::full5:
+        return HitTest::try_all;
     }
     return HitTest::test_item;
 }
 
 FrameData frame_data(const World& world, const Settings& settings, const Pencil& pencil,
-    const SampleFrame& frame, glm::ivec2 corner, bool shadows)
+    const SampleFrame& frame, const Region& part, bool shadows)
 {
     const glm::mat3& axes = frame.world_from_eye;
     FrameData data{.eye = frame.eye,
@@ -63,7 +70,7 @@ FrameData frame_data(const World& world, const Settings& settings, const Pencil&
         .ambient = world.scene->ambient,
         .reach = reach_of(settings.multisample),
         .size = {pencil.width, pencil.height},
-        .corner = corner,
+        .corner = {part.x, part.y},
         .triangles = std::uint32_t(world.scene->index.size()),
         .interleave = settings.interleave,
         .shadow_maps = shadows,
@@ -83,15 +90,12 @@ void bind_scene(const SceneBuffers& scene)
     scene.uv().bind_storage(kUv);
 }
 
-bool contains(const std::vector<Aov>& aovs, Aov wanted)
-{
-    return std::find(aovs.begin(), aovs.end(), wanted) != aovs.end();
-}
-
 } // namespace
 
 GpuFrame::GpuFrame(const Context& context, bool count_invocations)
-    : context_(context), scene_(context, Detail::surfaces), passes_(count_invocations)
+    : context_(context),
+      scene_(context, Detail::surfaces),
+      passes_(count_invocations)
 {
     for (const GLenum limit :
         {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}) {
@@ -136,13 +140,12 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     job.stats.setup_ms += stage_ms();
 
     // Which triangle does each sample see?
-    const GLuint items =
-        job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
+    const GLuint items = job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
     job.stats.raster_ms += stage_ms();
 
     // Where exactly?
-    FrameData data = frame_data(job.world, job.settings, pencil, frame,
-        {part.pixels.x, part.pixels.y}, job.shadows);
+    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels, job.shadows);
+    if (!part.color) data.interleave = 1;
     data.has_uv = scene_.has_uv();
     passes_.start(data);
     bind_scene(scene_);
@@ -165,8 +168,8 @@ void GpuFrame::render_part(const Job& job, const Part& part)
         std::size_t(part.pixels.x - job.view.region.x);
     if (part.color) {
         passes_.shade({.stored = stored, .masked = masked});
-        if (job.settings.interpolate) passes_.fill_holes();
         if (part.samples > 1) passes_.average(part.samples);
+        if (job.settings.interpolate) passes_.fill_holes();
     }
     job.stats.shade_ms += stage_ms();
     if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
@@ -184,8 +187,7 @@ void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
             passes_.read_plane(aov, stored, 0, &job.film.item[first], job.film.width);
         } else if (aov != Aov::lit) {
             const auto channels = std::size_t(aov_channels(aov));
-            passes_.read_plane(
-                aov, stored, 0, &plane.value[channels * first], job.film.width);
+            passes_.read_plane(aov, stored, 0, &plane.value[channels * first], job.film.width);
         } else {
             // The film has the lights side by side.
             const std::size_t lights = job.world.lights.size();
@@ -224,9 +226,10 @@ void GpuFrame::render(const World& world, const View& view, const Settings& sett
     const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
     const std::uint64_t updates = shadows_.updates();
     const Job job{world, view, settings, items, tasks, film, stats, maps, shadows};
-    // Planes are of the ray through the pixel's centre: with several samples they are a second
-    // pass.
-    const bool planes = !settings.aovs.empty(), together = settings.samples == 1;
+    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
+    // not all pixels, they are a second pass.
+    const bool planes = !settings.aovs.empty();
+    const bool together = settings.samples == 1 && settings.interleave == 1;
     if (settings.color || together)
         render_pass(job, settings.samples, settings.color, planes && together);
     if (planes && !together) render_pass(job, 1, false, true);

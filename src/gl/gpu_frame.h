@@ -3,6 +3,7 @@
 // source  Robert and Schoepke 2006, section 4.2
 #pragma once
 
+#include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "exact/pencil.h"
 #include "gl/context.h"

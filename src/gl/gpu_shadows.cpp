@@ -7,8 +7,8 @@
 
 namespace firsthit::gl {
 
-void GpuShadows::upload_tables(const World& world, const SampleFrame& frame,
-    std::span<const ShadowLight> maps, int filter)
+void GpuShadows::upload_tables(
+    const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps, int filter)
 {
     fill_lights(world, frame, maps, light_data_);
     fill_maps(maps, frame, texels_.first(), filter, map_data_);
@@ -49,9 +49,8 @@ void GpuShadows::update_maps(const World& world, const Settings& settings,
     }
     texels_.lay_out(maps_.light, max_storage_bytes);
     for (const std::size_t k : changed_)
-        depth_pass_.draw(world,
-            {scene.world().name(), scene.index().name(), scene.triangles()}, int(k % kFaces),
-            maps_.light[k / kFaces].map[k % kFaces], texels_.first()[k], texels_);
+        depth_pass_.draw(world, {scene.world().name(), scene.index().name(), scene.triangles()},
+            int(k % kFaces), maps_.light[k / kFaces].map[k % kFaces], texels_.first()[k], texels_);
     updates_ += changed_.size();
     complete_ = true;
     upload_tables(world, frame, maps_.light, settings.shadow_filter);

@@ -97,8 +97,8 @@ void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
 
     fill_tables(scene, tables_);
     std::size_t size = tables_.size();
-    for_levels(scene, 0,
-        [&](const Texture::Level& level, std::size_t) { size += texels_of(level); });
+    for_levels(
+        scene, 0, [&](const Texture::Level& level, std::size_t) { size += texels_of(level); });
     if (size * 4 > std::size_t(max_storage_bytes))
         throw DeviceError(
             fmt::format("OpenGL: the textures take {} bytes, one buffer may have {} ({})", size * 4,

@@ -20,9 +20,12 @@ PlaneFormat plane_format(Aov aov)
 {
     if (aov == Aov::item) return {0, GL_R32UI, GL_RED_INTEGER};
     switch (aov == Aov::lit ? 1 : aov_channels(aov)) {
-    case 1: return {1, GL_R32F, GL_RED};
-    case 2: return {2, GL_RG32F, GL_RG};
-    default: return {3, GL_RGBA32F, GL_RGB}; // three channels need not be drawable
+    case 1:
+        return {1, GL_R32F, GL_RED};
+    case 2:
+        return {2, GL_RG32F, GL_RG};
+    default:
+        return {3, GL_RGBA32F, GL_RGB}; // three channels need not be drawable
     }
 }
 
@@ -112,7 +115,8 @@ namespace {
 class Masked {
   public:
     Masked(const Texture2D& mask, Framebuffer& target, bool masked)
-        : target_(target), masked_(masked)
+        : target_(target),
+          masked_(masked)
     {
         if (!masked_) return;
         target_.attach(GL_DEPTH_ATTACHMENT, mask.name());
@@ -210,8 +214,7 @@ void SamplePasses::read_colors(float* to, int row_pixels)
     check("reading a picture");
 }
 
-void SamplePasses::read_plane(
-    Aov aov, bool stored, std::size_t light, void* to, int row_pixels)
+void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to, int row_pixels)
 {
     const int number = static_cast<int>(aov);
     Defines defines = {{"FIRSTHIT_PLANE", std::to_string(number)}};
@@ -224,8 +227,8 @@ void SamplePasses::read_plane(
     }
     const PlaneFormat format = plane_format(aov);
     draw_into(program, planes_[format.number], format.drawn, frame_data_.size);
-    read_rows(target_, frame_data_.size, format.read,
-        aov == Aov::item ? GL_UNSIGNED_INT : GL_FLOAT, to, row_pixels);
+    read_rows(target_, frame_data_.size, format.read, aov == Aov::item ? GL_UNSIGNED_INT : GL_FLOAT,
+        to, row_pixels);
     check("reading a plane");
 }
 

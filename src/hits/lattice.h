@@ -35,6 +35,9 @@ class Lattice {
         return shot_[std::size_t((x + shift_ * y) % every_)];
     }
 
+    /// Pixel (x, y) of the picture is shot where (x + shift y) % N = 0.
+    constexpr int shift() const { return shift_; }
+
   private:
     static constexpr int best_shift(int every)
     {
