@@ -28,5 +28,7 @@ inline constexpr GLuint kFrame = 0;
 inline constexpr GLuint kItemsUnit = 0;
 inline constexpr GLuint kHitsUnit = 1;
 inline constexpr GLuint kColorsUnit = 2;
+inline constexpr GLuint kItemColorsUnit = 3;
+inline constexpr GLuint kDepthUnit = 4;
 
 } // namespace firsthit::gl

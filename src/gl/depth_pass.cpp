@@ -91,7 +91,7 @@ void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, 
     glUniform1ui(kStoreFirst, first);
     glUniform1f(kStoreRange, range);
     glUniform1i(kStoreParallel, pencil.parallel);
-    depth_.bind(0);
+    depth_.bind(kDepthUnit);
     texels.bind(kResult);
     glDispatchCompute(GLuint(quads(width)), GLuint(quads(height)), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -43,7 +43,7 @@ struct FrameData {
     std::int32_t filter = 1;           // N: N x N texels are compared
     float bias = -1;                   // of maps
     std::int32_t interleave_shift = 0; // from row to row
-    std::int32_t unused = 0;
+    std::int32_t item_channels = 1;    // 1: integers; 3, 4: colours
 };
 static_assert(offsetof(FrameData, first_x) == 28 && offsetof(FrameData, lights) == 60 &&
               offsetof(FrameData, ambient) == 80 && offsetof(FrameData, size) == 96 &&

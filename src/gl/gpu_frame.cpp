@@ -90,6 +90,14 @@ void bind_scene(const SceneBuffers& scene)
     scene.uv().bind_storage(kUv);
 }
 
+/// The channels of its format.
+std::int32_t bind_items(const ItemTexture& items)
+{
+    const bool integers = items.format == ItemFormat::r32ui;
+    glBindTextureUnit(integers ? kItemsUnit : kItemColorsUnit, items.name);
+    return integers ? 1 : items.format == ItemFormat::rgb8 ? 3 : 4;
+}
+
 } // namespace
 
 GpuFrame::GpuFrame(const Context& context, bool count_invocations)
@@ -140,17 +148,17 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     job.stats.setup_ms += stage_ms();
 
     // Which triangle does each sample see?
-    const GLuint items = job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
+    const ItemTexture items = job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
     job.stats.raster_ms += stage_ms();
 
     // Where exactly?
     FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels, job.shadows);
     if (!part.color) data.interleave = 1;
     data.has_uv = scene_.has_uv();
+    data.item_channels = bind_items(items);
     passes_.start(data);
     bind_scene(scene_);
     materials_.bind();
-    glBindTextureUnit(kItemsUnit, items);
     const bool masked = job.settings.opengl.passes == GpuPasses::multi;
     const bool stored = masked || part.planes;
     if (masked) passes_.mask_empty();

@@ -19,6 +19,12 @@
 
 namespace firsthit::gl {
 
+/// A picture of items, coded as its format says (gl/item_pass.h).
+struct ItemTexture {
+    GLuint name = 0;
+    ItemFormat format = ItemFormat::r32ui;
+};
+
 /// Who makes the items of a picture.
 class GpuItems {
   public:
@@ -29,8 +35,8 @@ class GpuItems {
 
     /// Draws the items of the pencil's rectangle, row 0 at the top, kNoItem where nothing is.
     /// scene    posed for the pencil
-    /// returns  a texture of GL_R32UI, valid until the next call
-    virtual GLuint draw(const World& world, const Pencil& pencil, const Settings& settings,
+    /// returns  valid until the next call
+    virtual ItemTexture draw(const World& world, const Pencil& pencil, const Settings& settings,
         const SceneBuffers& scene, Tasks& tasks) = 0;
 };
 

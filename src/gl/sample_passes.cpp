@@ -69,6 +69,7 @@ void SamplePasses::start(const FrameData& frame)
     frame_.resize(sizeof(FrameData));
     frame_.upload(0, &frame, sizeof(FrameData));
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrame, frame_.name());
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // the mask is drawn and compared by one rule
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

@@ -25,11 +25,6 @@ FIRSTHIT_PURE real edge_volume(real3 a, real3 b, real3 d)
     return volume;
 }
 
-FIRSTHIT_PURE real3 cross_product(real3 a, real3 b)
-{
-    return real3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
 /// x moved into [low, high]; low where it is no number.
 FIRSTHIT_PURE real between(real x, real low, real high)
 {
@@ -49,12 +44,10 @@ FIRSTHIT_PURE TriangleHit intersect(real3 a, real3 b, real3 c, real3 d)
     real least = min(weight_a, min(weight_b, weight_c));
     real greatest = max(weight_a, max(weight_b, weight_c));
 
-    // Of edges, not of corners: see edge_volume.
-    real3 n = cross_product(b - a, c - a);
-    real t = dot(n, a) / dot(n, d);
     // All weights have one sign: the least is not below 0, or the greatest not above.
     real inside = max(least, 0.0f - greatest);
     real inv_sum = 1.0f / ((weight_a + weight_b) + weight_c);
+    real t = (weight_a * a.z + weight_b * b.z + weight_c * c.z) * inv_sum;
 
     TriangleHit result;
     result.hit = mix(real(-1.0f), inside, t > real(0.0f)) >= real(0.0f);

@@ -5,72 +5,131 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <string>
-
 namespace firsthit {
 namespace {
 
-/// FIRSTHIT_KEEP_PICTURES=folder keeps pictures to look at.
-void keep(const Film& film, const std::string& name)
-{
-    if (const char* folder = std::getenv("FIRSTHIT_KEEP_PICTURES"))
-        write_color(film, std::string(folder) + "/" + name + ".png");
-}
+using GpuFrame = test::OnGpu;
 
-class GpuFrame : public test::OnContext {
-  protected:
-    /// A built-in scene from the front.
-    void load(const std::string& name, double time_s = 0, int size = 256)
-    {
-        scene = load_scene(name);
-        pose_at(time_s);
-        view.width = view.height = size;
-    }
-    void pose_at(double time_s)
-    {
-        pose(scene, time_s, world);
-        view.camera = scene.camera ? world.camera : framing_camera(world);
-    }
-
-    /// Of the items and maps of the cpu engine's.
-    void render_both(const std::string& name)
-    {
-        const test::CpuPicture cpu(world, view, settings);
-        gl::GpuFrame frame(*context);
-        test::GivenItems items;
-        items.item = cpu.film.item;
-        Stats stats;
-        settings.multisample = Multisample::exact;
-        const ShadowMaps* maps = settings.shadows == Shadows::map ? &cpu.memory.lit.maps : nullptr;
-        frame.render(world, checked(view), settings, items, tasks, gpu_film, stats, maps);
-        cpu_film = cpu.film;
-        keep(cpu_film, name + "_cpu");
-        keep(gpu_film, name + "_gpu");
-    }
-
-    Tasks tasks{2};
-    Scene scene;
-    World world;
-    View view;
-    Settings settings;
-    Film cpu_film, gpu_film;
-};
+/// Decibels that pictures without textures have to reach, and those with.
+constexpr double kPlain = 60, kTextured = 45;
 
 TEST_F(GpuFrame, ShadesATorusAsTheCpuDoes)
 {
     load("builtin:torus");
     settings.shadows = Shadows::none;
     render_both("torus");
-    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), 60);
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
 }
 
-TEST_F(GpuFrame, ShadesRobotsWithShadowsAsTheCpuDoes)
+TEST_F(GpuFrame, ShadesTexturedRobotsInShadowAsTheCpuDoes)
 {
     load("builtin:robots", 1.5);
     settings.shadows = Shadows::map;
     render_both("robots");
-    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), 60);
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kTextured);
+}
+
+TEST_F(GpuFrame, FiltersShadowsAsTheCpuDoes)
+{
+    load("builtin:robots", 1.5);
+    settings.shadows = Shadows::map;
+    settings.shadow_filter = 3;
+    render_both("robots_filter3");
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kTextured);
+}
+
+TEST_F(GpuFrame, KeepsToAGivenShadowBias)
+{
+    load("builtin:torus");
+    settings.shadows = Shadows::map;
+    settings.shadow_bias = 0.02;
+    render_both("torus_bias");
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
+}
+
+/// A torus without textures, lit by one light of a kind.
+class GpuLights : public test::OnGpu {
+  protected:
+    void expect_same(const Light& light, const std::string& name)
+    {
+        load("builtin:torus");
+        scene.lights = {light};
+        pose_at(0);
+        settings.shadows = Shadows::map;
+        for (const int filter : {1, 3}) {
+            settings.shadow_filter = filter;
+            render_both(name + std::to_string(filter));
+            EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain) << filter;
+        }
+    }
+};
+
+TEST_F(GpuLights, ShineFromAPointToAllSides)
+{
+    expect_same(test::point_light({0.1, 0.2, 0.1}), "point");
+}
+
+TEST_F(GpuLights, ShineInParallel)
+{
+    expect_same(test::directional_light({-1, -2, -0.5}), "directional");
+}
+
+TEST_F(GpuLights, ShineIntoACone)
+{
+    expect_same(test::spot_light({1, 4, 2}, {-0.2, -1, -0.5}, 0.35, 0.5), "spot");
+}
+
+TEST_F(GpuLights, ShineIntoAConeTooWideForOneMap)
+{
+    expect_same(test::spot_light({0.2, 1.5, 0.1}, {-0.2, -1, -0.1}, 1.4), "wide_spot");
+}
+
+TEST_F(GpuFrame, AveragesSamples)
+{
+    load("builtin:torus", 0, 100);
+    settings.shadows = Shadows::none;
+    settings.samples = 3;
+    render_both("torus_samples3");
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
+}
+
+TEST_F(GpuFrame, InterleavesAsTheCpuDoes)
+{
+    load("builtin:robots", 1.5);
+    settings.shadows = Shadows::none;
+    for (const int every : {2, 5, 16}) {
+        settings.interleave = every;
+        render_both("robots_interleave" + std::to_string(every));
+        EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kTextured) << every;
+    }
+}
+
+TEST_F(GpuFrame, RendersARegionOfThePicture)
+{
+    load("builtin:robots", 1.5);
+    settings.shadows = Shadows::none;
+    settings.interleave = 3;
+    view.region = {.x = 37, .y = 51, .width = 91, .height = 67};
+    render_both("robots_region");
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kTextured);
+}
+
+TEST_F(GpuFrame, MakesNothingMoreOnceSizesHaveSettled)
+{
+    load("builtin:robots");
+    settings.shadows = Shadows::map;
+    settings.aovs = {Aov::item, Aov::depth, Aov::uv, Aov::normal, Aov::lit};
+    settings.shadow_map_size = 256;
+    gl::GpuFrame frame(*context);
+    render_gpu(frame);
+    pose_at(0.5);
+    render_gpu(frame);
+    const std::int64_t alive = gl::gl_objects_alive();
+    for (int k = 0; k < 3; ++k) {
+        pose_at(1 + k);
+        render_gpu(frame);
+    }
+    EXPECT_EQ(gl::gl_objects_alive(), alive);
 }
 
 } // namespace

@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace firsthit::test {
@@ -21,13 +24,13 @@ class GivenItems : public gl::GpuItems {
   public:
     std::vector<std::uint32_t> item;
 
-    GLuint draw(const World&, const Pencil& pencil, const Settings&, const gl::SceneBuffers&,
-        Tasks&) override
+    gl::ItemTexture draw(const World&, const Pencil& pencil, const Settings&,
+        const gl::SceneBuffers&, Tasks&) override
     {
         texture_.resize(GL_R32UI, pencil.width, pencil.height);
         glTextureSubImage2D(texture_.name(), 0, 0, 0, pencil.width, pencil.height, GL_RED_INTEGER,
             GL_UNSIGNED_INT, item.data());
-        return texture_.name();
+        return {texture_.name(), ItemFormat::r32ui};
     }
 
   private:
@@ -40,19 +43,19 @@ struct CpuPicture {
     Film film;
     Stats stats;
 
-    CpuPicture(const World& world, const View& view, Settings settings)
+    CpuPicture(const World& world, const View& view, const Settings& settings)
     {
         Tasks tasks(2);
-        // The gpu engine asks for the items too.
-        if (settings.samples == 1 && settings.interleave == 1 &&
-            std::find(settings.aovs.begin(), settings.aovs.end(), Aov::item) == settings.aovs.end())
-            settings.aovs.push_back(Aov::item);
         render_frame(world, checked(view), settings, memory, tasks, film, stats);
     }
 };
 
-inline std::vector<std::uint32_t> cpu_items(const World& world, const View& view)
+/// Of a picture that is `samples` times as large: the same rays.
+inline std::vector<std::uint32_t> cpu_items(const World& world, View view, int samples = 1)
 {
+    for (int* size : {&view.width, &view.height, &view.region.x, &view.region.y, &view.region.width,
+             &view.region.height})
+        *size *= samples;
     Settings settings;
     settings.color = false;
     settings.aovs = {Aov::item};
@@ -83,5 +86,70 @@ inline std::size_t count_different(
         count += !(a[k] == b[k] || std::abs(a[k] - b[k]) <= tolerance);
     return count;
 }
+
+/// FIRSTHIT_KEEP_PICTURES=folder keeps pictures to look at.
+inline void keep(const Film& film, const std::string& name)
+{
+    if (film.color.empty()) return;
+    if (const char* folder = std::getenv("FIRSTHIT_KEEP_PICTURES"))
+        write_color(film, std::string(folder) + "/" + name + ".png");
+}
+
+class OnGpu : public OnContext {
+  protected:
+    /// A built-in scene from the front.
+    void load(const std::string& name, double time_s = 0, int size = 256)
+    {
+        scene = load_scene(name);
+        pose_at(time_s);
+        view.width = view.height = size;
+    }
+    void pose_at(double time_s)
+    {
+        pose(scene, time_s, world);
+        view.camera = scene.camera ? world.camera : framing_camera(world);
+    }
+
+    /// With the cpu engine's items; maps: see gl::GpuFrame.
+    void render_gpu(gl::GpuFrame& frame, const ShadowMaps* maps = nullptr)
+    {
+        item = cpu_items(world, view, settings.samples);
+        GivenItems items;
+        items.item = item;
+        if (change_items) change_items(items.item);
+        stats = {};
+        frame.render(world, checked(view), settings, items, tasks, gpu_film, stats, maps);
+    }
+
+    /// With the same items and maps.
+    void render_both(const std::string& name)
+    {
+        const CpuPicture cpu(world, view, settings);
+        cpu_film = cpu.film;
+        gl::GpuFrame frame(*context);
+        render_gpu(frame, settings.shadows == Shadows::map ? &cpu.memory.lit.maps : nullptr);
+        keep(cpu_film, name + "_cpu");
+        keep(gpu_film, name + "_gpu");
+    }
+
+    Tasks tasks{2};
+    Scene scene;
+    World world;
+    View view;
+    Settings settings = exact_settings();
+    std::vector<std::uint32_t> item; // of the last picture
+    Stats stats;
+    Film cpu_film, gpu_film;
+    std::function<void(std::vector<std::uint32_t>&)> change_items;
+
+  private:
+    /// The items are right already.
+    static Settings exact_settings()
+    {
+        Settings exact;
+        exact.multisample = Multisample::exact;
+        return exact;
+    }
+};
 
 } // namespace firsthit::test

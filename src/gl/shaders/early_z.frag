@@ -3,10 +3,8 @@
 //
 // source  Robert and Schoepke 2006, section 4.2.2
 #include "frame.glsl"
+#include "items.glsl"
 
-layout(binding = 0) uniform usampler2D items;
-
-const uint kNoItem = 0xFFFFFFFFu;
 const int kTryAll = 3;
 
 void main()
@@ -19,7 +17,7 @@ void main()
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
             ivec2 p = clamp(at + ivec2(x, y), ivec2(0), frame.size - 1);
-            found = found || texelFetch(items, p, 0).x != kNoItem;
+            found = found || item_at(p) != kNoItem;
         }
     if (!found) discard;
 }

@@ -2,7 +2,6 @@
 //
 // source  Robert and Schoepke 2006, sections 4.1 (lazy multisampling) and 4.2.1
 
-const uint kNoItem = 0xFFFFFFFFu; // background
 const uint kHole = 0xFFFFFFFEu; // there is an item, but no triangle that is hit; or not shot
 
 /// What the ray does where the item's triangle is missed: frame.test.
@@ -35,18 +34,11 @@ Hit find_hit(ivec2 sample_at)
 
 #else
 
-layout(binding = 0) uniform usampler2D items;
-
 TriangleHit test_triangle(uint triangle, vec3 d)
 {
     uvec3 corner = triangle_corners(triangle);
     return intersect(
         eye_position(corner.x), eye_position(corner.y), eye_position(corner.z), d);
-}
-
-uint item_at(ivec2 sample_at)
-{
-    return texelFetch(items, sample_at, 0).x;
 }
 
 /// The nearest hit among the items around the sample, the lowest id where two are as near.

@@ -23,6 +23,7 @@ layout(std140, binding = 0) uniform Frame
     int filter_size; // N: N x N texels are compared
     float bias; // of maps
     int interleave_shift; // from row to row
+    int item_channels; // 1: integers; 3, 4: colours
 } frame;
 
 /// Whether the sample's ray is shot, or its colour comes from its neighbours.

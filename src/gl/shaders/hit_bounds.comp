@@ -3,6 +3,7 @@
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
+#include "items.glsl"
 #include "find_hit.glsl"
 #include "lights.glsl"
 

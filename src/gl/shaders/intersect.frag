@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
+#include "items.glsl"
 #include "find_hit.glsl"
 #include "hit_texels.glsl"
 #include "count_invocations.glsl"

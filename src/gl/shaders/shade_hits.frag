@@ -5,6 +5,7 @@
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
+#include "items.glsl"
 #include "find_hit.glsl"
 #include "hit_position.glsl"
 #include "spot_cone.glsl"

@@ -3,7 +3,7 @@
 
 layout(local_size_x = 4, local_size_y = 4) in;
 
-layout(binding = 0) uniform sampler2D reversed_depth; // see shadow_depth.vert
+layout(binding = 4) uniform sampler2D reversed_depth; // see shadow_depth.vert
 layout(location = 0) uniform ivec2 size; // texels
 layout(location = 1) uniform uint first; // of the map's texels
 layout(location = 2) uniform float range; // see shadow_depth.vert
