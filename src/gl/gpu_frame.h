@@ -7,6 +7,7 @@
 #include "base/tasks.h"
 #include "exact/pencil.h"
 #include "gl/context.h"
+#include "gl/gpu_items.h"
 #include "gl/gpu_shadows.h"
 #include "gl/material_buffers.h"
 #include "gl/sample_passes.h"
@@ -18,27 +19,6 @@
 #include <vector>
 
 namespace firsthit::gl {
-
-/// A picture of items, coded as its format says (gl/item_pass.h).
-struct ItemTexture {
-    GLuint name = 0;
-    ItemFormat format = ItemFormat::r32ui;
-};
-
-/// Who makes the items of a picture.
-class GpuItems {
-  public:
-    GpuItems() = default;
-    GpuItems(const GpuItems&) = delete;
-    GpuItems& operator=(const GpuItems&) = delete;
-    virtual ~GpuItems() = default;
-
-    /// Draws the items of the pencil's rectangle, row 0 at the top, kNoItem where nothing is.
-    /// scene    posed for the pencil
-    /// returns  valid until the next call
-    virtual ItemTexture draw(const World& world, const Pencil& pencil, const Settings& settings,
-        const SceneBuffers& scene, Tasks& tasks) = 0;
-};
 
 /// Buffers, textures and programs of the engine, kept from frame to frame: nothing is created once
 /// sizes have settled. To be made, used and deleted with its context current.

@@ -1,6 +1,8 @@
 // gpu_frame_test.cpp - the gpu engine's pictures are the cpu engine's, given the same items and maps.
 #include "gl/gpu_pictures.h"
 
+#include "gl/drawn_items.h"
+
 #include "lights.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +114,38 @@ TEST_F(GpuFrame, RendersARegionOfThePicture)
     view.region = {.x = 37, .y = 51, .width = 91, .height = 67};
     render_both("robots_region");
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kTextured);
+}
+
+TEST_F(GpuFrame, DrawsItemsInEveryFormat)
+{
+    load("builtin:robots", 1.5);
+    settings.shadows = Shadows::none;
+    settings.multisample = Multisample::lazy3;
+    const test::CpuPicture cpu(world, view, settings);
+    gl::GpuFrame frame(*context);
+    gl::DrawnItems drawn(*context);
+    for (const ItemFormat format : {ItemFormat::r32ui, ItemFormat::rgb8, ItemFormat::rgba8})
+        for (const DepthFormat depth : {DepthFormat::float32, DepthFormat::fixed24}) {
+            settings.opengl.item_format = format;
+            settings.opengl.depth_format = depth;
+            frame.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+            test::keep(gpu_film, "robots_drawn");
+            // A few pixels at edges have other triangles.
+            EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35)
+                << int(format) << " " << int(depth);
+        }
+}
+
+TEST_F(GpuFrame, DrawsShadowMapsThatShadeAsTheCpusDo)
+{
+    load("builtin:robots", 1.5);
+    settings.shadows = Shadows::map;
+    const test::CpuPicture cpu(world, view, settings);
+    gl::GpuFrame frame(*context);
+    render_gpu(frame);
+    test::keep(gpu_film, "robots_maps");
+    // Texels on the edges of what casts shadows are others.
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35);
 }
 
 TEST_F(GpuFrame, MakesNothingMoreOnceSizesHaveSettled)
