@@ -49,41 +49,59 @@ TEST_F(GpuFrame, KeepsToAGivenShadowBias)
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
 }
 
-/// A torus without textures, lit by one light of a kind.
+/// Scenes that are lit by one light of a kind.
 class GpuLights : public test::OnGpu {
   protected:
-    void expect_same(const Light& light, const std::string& name)
+    void expect_same(const std::string& scene_name, const Light& light, double least)
     {
-        load("builtin:torus");
+        load(scene_name);
         scene.lights = {light};
         pose_at(0);
         settings.shadows = Shadows::map;
         for (const int filter : {1, 3}) {
             settings.shadow_filter = filter;
-            render_both(name + std::to_string(filter));
-            EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain) << filter;
+            const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+            render_both(std::string(test->name()) + std::to_string(filter));
+            EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), least) << filter;
         }
     }
 };
 
 TEST_F(GpuLights, ShineFromAPointToAllSides)
 {
-    expect_same(test::point_light({0.1, 0.2, 0.1}), "point");
+    expect_same("builtin:torus", test::point_light({0.1, 0.2, 0.1}), kPlain);
+}
+
+TEST_F(GpuLights, ShineFromAPointAmongRobots)
+{
+    expect_same("builtin:robots", test::point_light({2.5, 3, 1.5}), kTextured);
 }
 
 TEST_F(GpuLights, ShineInParallel)
 {
-    expect_same(test::directional_light({-1, -2, -0.5}), "directional");
+    expect_same("builtin:torus", test::directional_light({-1, -2, -0.5}), kPlain);
+}
+
+TEST_F(GpuLights, ShineInParallelOnRobots)
+{
+    expect_same("builtin:robots", test::directional_light({-1, -1, -0.5}), kTextured);
 }
 
 TEST_F(GpuLights, ShineIntoACone)
 {
-    expect_same(test::spot_light({1, 4, 2}, {-0.2, -1, -0.5}, 0.35, 0.5), "spot");
+    expect_same("builtin:torus", test::spot_light({1, 4, 2}, {-0.2, -1, -0.5}, 0.35, 0.5), kPlain);
+}
+
+TEST_F(GpuLights, ShineIntoAConeOnRobots)
+{
+    expect_same(
+        "builtin:robots", test::spot_light({5, 8, 4}, {-0.6, -1, -0.5}, 0.5, 0.5), kTextured);
 }
 
 TEST_F(GpuLights, ShineIntoAConeTooWideForOneMap)
 {
-    expect_same(test::spot_light({0.2, 1.5, 0.1}, {-0.2, -1, -0.1}, 1.4), "wide_spot");
+    expect_same(
+        "builtin:robots", test::spot_light({0.5, 5, 0.5}, {-0.2, -1, -0.1}, 1.4), kTextured);
 }
 
 TEST_F(GpuFrame, AveragesSamples)
