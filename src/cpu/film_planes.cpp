@@ -183,31 +183,6 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
     point(targets.albedo, contains(aovs, Aov::albedo));
 }
 
-void resize(
-    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights)
-{
-    const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    const auto size = [&](Plane& plane, int channels) {
-        plane.channels = channels;
-        plane.value.resize(pixels * std::size_t(channels));
-    };
-    if (color) size(film.color, 3);
-    for (const Aov aov : aovs) {
-        if (aov == Aov::item)
-            film.item.resize(pixels);
-        else
-            size(film[aov], aov == Aov::lit ? int(lights) : aov_channels(aov));
-    }
-}
-
-void clear_unused(Film& film, bool color, std::span<const Aov> aovs)
-{
-    if (!color) film.color.value.clear();
-    if (!contains(aovs, Aov::item)) film.item.clear();
-    for (int a = 0; a < kAovCount; ++a)
-        if (!contains(aovs, Aov(a))) film[Aov(a)].value.clear();
-}
-
 void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     const ShadeTargets& shaded, Film& film)
 {

@@ -26,14 +26,6 @@ PixelRect pixels_of(const TilePlace& place);
 /// Points the targets that are asked for at memory for one tile, the others at null.
 void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs);
 
-/// Gives the planes that are asked for their size. Allocates only where the film grows.
-/// lights  of the world: the channels of the plane `lit`
-void resize(
-    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights);
-
-/// Empties the planes that are not asked for.
-void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
-
 /// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples
 /// that are no holes (of all where all are), summed in a fixed order. The other planes need samples
 /// = 1.

@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.h"
 #include "cpu/film_planes.h"
+#include "film/film_size.h"
 #include "visibility/raster_tile.h"
 
 #include <algorithm>

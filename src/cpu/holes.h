@@ -3,7 +3,7 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
-#include "cpu/lattice.h"
+#include "hits/lattice.h"
 #include "visibility/item_tile.h"
 
 #include <firsthit/film.h>

@@ -16,6 +16,7 @@ namespace {
 /// src/glsl is C++ too: these are its words in GLSL.
 constexpr std::string_view kWords = "#version 450 core\n"
                                     "#define FIRSTHIT_PURE\n"
+                                    "#define FIRSTHIT_PRECISE precise\n"
                                     "#define real float\n"
                                     "#define real2 vec2\n"
                                     "#define real3 vec3\n"

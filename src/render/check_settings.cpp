@@ -1,7 +1,7 @@
 // check_settings.cpp - refuses what cannot be rendered, with what is accepted.
 #include "render/check_settings.h"
 
-#include "cpu/lattice.h"
+#include "hits/lattice.h"
 #include "exact/pencil.h"
 
 #include <firsthit/error.h>

@@ -1,6 +1,8 @@
 // film_planes_test.cpp - the light of a tile goes to its pixels.
 #include "cpu/film_planes.h"
 
+#include "film/film_size.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -2,6 +2,8 @@
 #include "gl/program.h"
 #include "gl/shader_texts.h"
 
+#include <firsthit/film.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,17 +23,27 @@ struct Variant {
 /// All that the library compiles: a new shader or define gets its line here.
 std::vector<Variant> all_variants()
 {
-    return {
-        {"certify.vert", {}},
-        {"certify.geom", {}},
-        {"certify.frag", {{"DOUBTS", "0"}}},
-        {"certify.frag", {{"DOUBTS", "1"}}},
-        {"item.vert", {{"COLORS", "0"}}},
-        {"item.frag", {{"COLORS", "0"}}},
-        {"item.frag", {{"COLORS", "1"}}},
-        {"pose.comp", {{"SURFACES", "0"}}},
-        {"pose.comp", {{"SURFACES", "1"}}},
-    };
+    std::vector<Variant> variants = {{"certify.vert", {}}, {"certify.geom", {}},
+        {"certify.frag", {{"DOUBTS", "0"}}}, {"certify.frag", {{"DOUBTS", "1"}}},
+        {"item.vert", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "0"}}},
+        {"item.frag", {{"COLORS", "1"}}}, {"pose.comp", {{"SURFACES", "0"}}},
+        {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}}, {"early_z.frag", {}},
+        {"intersect.frag", {}}, {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}},
+        {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
+        {"average.frag", {}}, {"fill_holes.frag", {}}};
+    for (const bool stored : {false, true}) {
+        gl::Defines defines;
+        if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+        variants.push_back({"shade_hits.frag", defines});
+        variants.push_back({"hit_bounds.comp", defines});
+        for (int aov = 0; aov < kAovCount; ++aov) {
+            variants.push_back({"plane.frag", defines});
+            variants.back().defines.push_back({"FIRSTHIT_PLANE", std::to_string(aov)});
+        }
+        defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
+        variants.push_back({"shade_hits.frag", defines});
+    }
+    return variants;
 }
 
 bool is_stage(std::string_view name)

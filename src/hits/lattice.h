@@ -35,6 +35,9 @@ class Lattice {
     /// Where in the lattice's period that is, 0 to N - 1; (phase, 0) is at the same place.
     constexpr int phase(int x, int y) const { return (x + shift_ * y) % every_; }
 
+    /// Pixel (x, y) of the picture is shot where (x + shift y) % N = 0.
+    constexpr int shift() const { return shift_; }
+
   private:
     static constexpr int best_shift(int every)
     {

@@ -1,0 +1,41 @@
+// film_size.cpp - room for the planes of a film.
+#include "film/film_size.h"
+
+#include <algorithm>
+
+namespace firsthit {
+namespace {
+
+bool contains(std::span<const Aov> aovs, Aov wanted)
+{
+    return std::find(aovs.begin(), aovs.end(), wanted) != aovs.end();
+}
+
+} // namespace
+
+void resize(
+    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights)
+{
+    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    const auto size = [&](Plane& plane, int channels) {
+        plane.channels = channels;
+        plane.value.resize(pixels * std::size_t(channels));
+    };
+    if (color) size(film.color, 3);
+    for (const Aov aov : aovs) {
+        if (aov == Aov::item)
+            film.item.resize(pixels);
+        else
+            size(film[aov], aov == Aov::lit ? int(lights) : aov_channels(aov));
+    }
+}
+
+void clear_unused(Film& film, bool color, std::span<const Aov> aovs)
+{
+    if (!color) film.color.value.clear();
+    if (!contains(aovs, Aov::item)) film.item.clear();
+    for (int a = 0; a < kAovCount; ++a)
+        if (!contains(aovs, Aov(a))) film[Aov(a)].value.clear();
+}
+
+} // namespace firsthit

@@ -1,0 +1,248 @@
+// gpu_frame.cpp - the gpu engine: a picture from a posed world, all by OpenGL.
+#include "gl/gpu_frame.h"
+
+#include "film/film_size.h"
+#include "gl/bindings.h"
+#include "hits/lattice.h"
+#include "hits/multisample.h"
+
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace firsthit::gl {
+
+/// What a call of render is about.
+struct GpuFrame::Job {
+    const World& world;
+    const View& view;
+    const Settings& settings;
+    GpuItems& items;
+    Tasks& tasks;
+    Film& film;
+    Stats& stats;
+    const ShadowMaps* maps;
+    bool shadows;
+};
+
+/// A rectangle of the picture.
+struct GpuFrame::Part {
+    Region pixels; // of the picture
+    int samples;   // on a pixel's side
+    bool color, planes;
+};
+
+namespace {
+
+HitTest hit_test(Multisample multisample)
+{
+    switch (multisample) {
+    case Multisample::exact:
+        return HitTest::take_item;
+    case Multisample::none:
+        return HitTest::test_item;
+    case Multisample::lazy3:
+    case Multisample::lazy5:
+        return HitTest::try_neighbours;
+    case Multisample::full3:
+    case Multisample::full5:
+        return HitTest::try_all;
+    }
+    return HitTest::test_item;
+}
+
+FrameData frame_data(const World& world, const Settings& settings, const Pencil& pencil,
+    const SampleFrame& frame, const Region& part, bool shadows)
+{
+    const glm::mat3& axes = frame.world_from_eye;
+    FrameData data{.eye = frame.eye,
+        .inv_f = frame.inv_f,
+        .right = axes[0],
+        .first_x = float(pencil.x0),
+        .down = axes[1],
+        .first_y = float(pencil.y0),
+        .forward = axes[2],
+        .lights = std::int32_t(world.lights.size()),
+        .background = world.scene->background,
+        .test = hit_test(settings.multisample),
+        .ambient = world.scene->ambient,
+        .reach = reach_of(settings.multisample),
+        .size = {pencil.width, pencil.height},
+        .corner = {part.x, part.y},
+        .triangles = std::uint32_t(world.scene->index.size()),
+        .interleave = settings.interleave,
+        .shadow_maps = shadows,
+        .filter = settings.shadow_filter,
+        .bias = float(settings.shadow_bias),
+        .interleave_shift = Lattice(settings.interleave).shift()};
+    return data;
+}
+
+void bind_scene(const SceneBuffers& scene)
+{
+    scene.index().bind_storage(kIndex);
+    scene.eye().bind_storage(kEye);
+    scene.world().bind_storage(kWorld);
+    scene.normal().bind_storage(kNormal);
+    scene.material().bind_storage(kTriangleMaterial);
+    scene.uv().bind_storage(kUv);
+}
+
+/// The channels of its format.
+std::int32_t bind_items(const ItemTexture& items)
+{
+    const bool integers = items.format == ItemFormat::r32ui;
+    glBindTextureUnit(integers ? kItemsUnit : kItemColorsUnit, items.name);
+    return integers ? 1 : items.format == ItemFormat::rgb8 ? 3 : 4;
+}
+
+} // namespace
+
+GpuFrame::GpuFrame(const Context& context, bool count_invocations)
+    : context_(context),
+      scene_(context, Detail::surfaces),
+      passes_(count_invocations)
+{
+    for (const GLenum limit :
+        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}) {
+        GLint blocks = 0;
+        glGetIntegerv(limit, &blocks);
+        if (blocks < kStorageBlocks)
+            throw DeviceError(fmt::format("OpenGL: the gpu engine needs {} storage blocks, there "
+                                          "are {} ({})",
+                kStorageBlocks, blocks, driver_name()));
+    }
+}
+
+/// Since the last call. A software driver does its work when it is waited for: with hardware, the
+/// last stage has the time of all.
+double GpuFrame::stage_ms()
+{
+    if (!context_.is_hardware()) glFinish();
+    return watch_.lap_ms();
+}
+
+void GpuFrame::find_shadows(const Job& job, const SampleFrame& frame, bool stored)
+{
+    if (job.maps) {
+        shadows_.use_maps(job.world, *job.maps, frame, context_.info().max_storage_bytes);
+        return;
+    }
+    bounds_.resize(job.world.lights.size());
+    passes_.find_bounds(stored, bounds_);
+    shadows_.update_maps(job.world, job.settings, scene_, frame, bounds_,
+        context_.info().max_storage_bytes, job.tasks);
+}
+
+void GpuFrame::render_part(const Job& job, const Part& part)
+{
+    const Pencil pencil = pencil_of(job.view, part.pixels, part.samples);
+    const SampleFrame frame = sample_frame(pencil);
+    watch_.lap_ms();
+
+    // Where is everything?
+    scene_.pose(job.world, pencil);
+    materials_.update(*job.world.scene, context_.info().max_storage_bytes);
+    job.stats.setup_ms += stage_ms();
+
+    // Which triangle does each sample see?
+    const ItemTexture items = job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
+    job.stats.raster_ms += stage_ms();
+
+    // Where exactly?
+    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels, job.shadows);
+    if (!part.color) data.interleave = 1;
+    data.has_uv = scene_.has_uv();
+    data.item_channels = bind_items(items);
+    passes_.start(data);
+    bind_scene(scene_);
+    materials_.bind();
+    const bool masked = job.settings.opengl.passes == GpuPasses::multi;
+    const bool stored = masked || part.planes;
+    if (masked) passes_.mask_empty();
+    if (stored) passes_.find_hits(masked);
+    job.stats.resolve_ms += stage_ms();
+
+    // Which lights reach it?
+    shadows_.set_lights(job.world, frame);
+    if (job.shadows) find_shadows(job, frame, stored);
+    job.stats.shadow_ms += stage_ms();
+
+    // What colour is it?
+    const std::size_t first =
+        std::size_t(part.pixels.y - job.view.region.y) * std::size_t(job.film.width) +
+        std::size_t(part.pixels.x - job.view.region.x);
+    if (part.color) {
+        passes_.shade({.stored = stored, .masked = masked});
+        if (part.samples > 1) passes_.average(part.samples);
+        if (job.settings.interpolate) passes_.fill_holes();
+    }
+    job.stats.shade_ms += stage_ms();
+    if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
+    if (part.planes) read_planes(job, part, stored);
+}
+
+void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
+{
+    const auto width = std::size_t(job.film.width);
+    const std::size_t first = std::size_t(part.pixels.y - job.view.region.y) * width +
+                              std::size_t(part.pixels.x - job.view.region.x);
+    for (const Aov aov : job.settings.aovs) {
+        Plane& plane = job.film[aov];
+        if (aov == Aov::item) {
+            passes_.read_plane(aov, stored, 0, &job.film.item[first], job.film.width);
+        } else if (aov != Aov::lit) {
+            const auto channels = std::size_t(aov_channels(aov));
+            passes_.read_plane(aov, stored, 0, &plane.value[channels * first], job.film.width);
+        } else {
+            // The film has the lights side by side.
+            const std::size_t lights = job.world.lights.size();
+            const auto w = std::size_t(part.pixels.width), h = std::size_t(part.pixels.height);
+            plane_.resize(w * h);
+            for (std::size_t light = 0; light < lights; ++light) {
+                passes_.read_plane(aov, stored, light, plane_.data(), part.pixels.width);
+                for (std::size_t y = 0; y < h; ++y)
+                    for (std::size_t x = 0; x < w; ++x)
+                        plane.value[(first + y * width + x) * lights + light] = plane_[y * w + x];
+            }
+        }
+    }
+}
+
+void GpuFrame::render_pass(const Job& job, int samples, bool color, bool planes)
+{
+    const int side = std::min(kPartSide, context_.info().max_texture_size) / samples;
+    const Region& all = job.view.region;
+    for (int y = 0; y < all.height; y += side)
+        for (int x = 0; x < all.width; x += side)
+            render_part(job, {.pixels = {all.x + x, all.y + y, std::min(side, all.width - x),
+                                  std::min(side, all.height - y)},
+                                 .samples = samples,
+                                 .color = color,
+                                 .planes = planes});
+}
+
+void GpuFrame::render(const World& world, const View& view, const Settings& settings,
+    GpuItems& items, Tasks& tasks, Film& film, Stats& stats, const ShadowMaps* maps)
+{
+    film.width = view.region.width;
+    film.height = view.region.height;
+    clear_unused(film, settings.color, settings.aovs);
+    resize(film, film.width, film.height, settings.color, settings.aovs, world.lights.size());
+    const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
+    const std::uint64_t updates = shadows_.updates();
+    const Job job{world, view, settings, items, tasks, film, stats, maps, shadows};
+    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
+    // not all pixels, they are a second pass.
+    const bool planes = !settings.aovs.empty();
+    const bool together = settings.samples == 1 && settings.interleave == 1;
+    if (settings.color || together)
+        render_pass(job, settings.samples, settings.color, planes && together);
+    if (planes && !together) render_pass(job, 1, false, true);
+    stats.map_updates += shadows_.updates() - updates;
+    check("rendering a frame");
+}
+
+} // namespace firsthit::gl

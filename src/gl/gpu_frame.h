@@ -1,0 +1,65 @@
+// gpu_frame.h - the gpu engine: a picture from a posed world, all by OpenGL.
+//
+// source  Robert and Schoepke 2006, section 4.2
+#pragma once
+
+#include "base/stopwatch.h"
+#include "base/tasks.h"
+#include "exact/pencil.h"
+#include "gl/context.h"
+#include "gl/gpu_items.h"
+#include "gl/gpu_shadows.h"
+#include "gl/material_buffers.h"
+#include "gl/sample_passes.h"
+#include "gl/scene_buffers.h"
+
+#include <firsthit/film.h>
+#include <firsthit/render.h>
+
+#include <vector>
+
+namespace firsthit::gl {
+
+/// Buffers, textures and programs of the engine, kept from frame to frame: nothing is created once
+/// sizes have settled. To be made, used and deleted with its context current.
+class GpuFrame {
+  public:
+    /// throws  DeviceError: a shader does not compile, or the driver has too few storage blocks
+    explicit GpuFrame(const Context& context, bool count_invocations = false);
+
+    /// Renders the view's region into the film and adds to the statistics. `settings` and `view`
+    /// are checked (render/check_settings.h); view.region is filled in. Shadows::automatic is map.
+    ///
+    /// maps    of the cpu engine, to be used instead of drawing them; or null
+    /// limits  pictures above kPartSide samples are made in parts; each part fills its holes from
+    ///         its own pixels
+    /// throws  DeviceError: no memory, a scene or maps beyond the driver's limits, a lost context
+    void render(const World& world, const View& view, const Settings& settings, GpuItems& items,
+        Tasks& tasks, Film& film, Stats& stats, const ShadowMaps* maps = nullptr);
+
+    /// Samples on the side of a part, at most: 900 MB.
+    static constexpr int kPartSide = 4096;
+
+    SamplePasses& passes() { return passes_; }
+    const GpuShadows& shadows() const { return shadows_; }
+
+  private:
+    struct Job;
+    struct Part;
+    void render_pass(const Job& job, int samples, bool color, bool planes);
+    void render_part(const Job& job, const Part& part);
+    void find_shadows(const Job& job, const SampleFrame& frame, bool stored);
+    void read_planes(const Job& job, const Part& part, bool stored);
+    double stage_ms();
+
+    const Context& context_;
+    SceneBuffers scene_;
+    MaterialBuffers materials_;
+    GpuShadows shadows_;
+    SamplePasses passes_;
+    std::vector<LightBounds> bounds_;
+    std::vector<float> plane_; // of one light
+    Stopwatch watch_;
+};
+
+} // namespace firsthit::gl

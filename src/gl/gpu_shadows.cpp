@@ -1,0 +1,68 @@
+// gpu_shadows.cpp - the shadow maps of the gpu engine, kept from frame to frame.
+#include "gl/gpu_shadows.h"
+
+#include "gl/bindings.h"
+#include "gl/context.h"
+#include "shadow/merge_faces.h"
+
+namespace firsthit::gl {
+
+void GpuShadows::upload_tables(
+    const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps, int filter)
+{
+    fill_lights(world, frame, maps, light_data_);
+    fill_maps(maps, frame, texels_.first(), filter, map_data_);
+    lights_.assign(std::span<const LightData>(light_data_));
+    map_table_.assign(std::span<const MapData>(map_data_));
+    lights_.bind_storage(kLights);
+    map_table_.bind_storage(kMaps);
+    if (!maps.empty()) texels_.bind(kMapDepth);
+}
+
+void GpuShadows::set_lights(const World& world, const SampleFrame& frame)
+{
+    upload_tables(world, frame, {}, 1);
+}
+
+void GpuShadows::update_maps(const World& world, const Settings& settings,
+    const SceneBuffers& scene, const SampleFrame& frame, std::span<LightBounds> bounds,
+    std::int64_t max_storage_bytes, Tasks& tasks)
+{
+    if (!complete_) maps_.light.clear();
+    complete_ = false;
+    follow(world, maps_.geometry, tasks);
+    maps_.light.resize(world.lights.size());
+    changed_.clear();
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        ShadowLight& light = maps_.light[l];
+        light.frame = light_frame(world.lights[l]);
+        merge_faces(bounds[l]);
+        for (std::size_t face = 0; face < kFaces; ++face) {
+            const MapSource wanted{light.frame,
+                map_fit(bounds[l][face], settings.shadow_map_size, settings.shadow_filter),
+                maps_.geometry.version};
+            ShadowMap& map = light.map[face];
+            if (wanted == map.source) continue;
+            map.source = wanted;
+            if (wanted.fit.width > 0) changed_.push_back(l * kFaces + face);
+        }
+    }
+    texels_.lay_out(maps_.light, max_storage_bytes);
+    for (const std::size_t k : changed_)
+        depth_pass_.draw(world, {scene.world().name(), scene.index().name(), scene.triangles()},
+            int(k % kFaces), maps_.light[k / kFaces].map[k % kFaces], texels_.first()[k], texels_);
+    updates_ += changed_.size();
+    complete_ = true;
+    upload_tables(world, frame, maps_.light, settings.shadow_filter);
+}
+
+void GpuShadows::use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
+    std::int64_t max_storage_bytes)
+{
+    complete_ = false; // what was drawn is lost
+    texels_.lay_out(maps.light, max_storage_bytes);
+    texels_.upload(maps.light);
+    upload_tables(world, frame, maps.light, maps.filter);
+}
+
+} // namespace firsthit::gl

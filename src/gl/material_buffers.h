@@ -1,0 +1,42 @@
+// material_buffers.h - materials and textures where shaders read them.
+#pragma once
+
+#include "gl/gpu_data.h"
+#include "gl/kept_copy.h"
+#include "gl/objects.h"
+
+#include <firsthit/scene.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace firsthit::gl {
+
+/// Uploaded when something of them is new, which is found out by comparing with a copy. All texels of all textures lie in one buffer of words:
+///
+///     linear light of the 256 sRGB codes, floats
+///     (textures) where its levels' rows are, how many
+///     (levels)   where its texels are, width (0: cannot be sampled, white), height
+///     texels     RGBA, row by row
+class MaterialBuffers {
+  public:
+    /// throws  DeviceError: more texels than `max_storage_bytes` hold, or no memory
+    void update(const Scene& scene, std::int64_t max_storage_bytes);
+
+    /// As the storage blocks of materials.glsl and sample_texture.glsl.
+    void bind() const;
+
+    /// So far.
+    std::uint64_t uploads() const { return uploads_; }
+
+  private:
+    Buffer materials_;     // (materials) MaterialData
+    Buffer texture_words_; // see above
+    std::vector<MaterialData> material_;
+    KeptCopy<MaterialData> kept_material_;
+    std::vector<std::uint32_t> tables_;
+    std::vector<std::uint32_t> words_; // copy of texture_words_
+    std::uint64_t uploads_ = 0;
+};
+
+} // namespace firsthit::gl

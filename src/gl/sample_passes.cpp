@@ -1,0 +1,247 @@
+// sample_passes.cpp - the gpu engine's passes over all samples of a part of a picture.
+#include "gl/sample_passes.h"
+
+#include "gl/bindings.h"
+#include "gl/context.h"
+
+#include <string>
+#include <utility>
+
+namespace firsthit::gl {
+namespace {
+
+/// Of a plane's texels, on OpenGL and as the host wants them.
+struct PlaneFormat {
+    std::size_t number; // of these
+    GLenum drawn, read;
+};
+
+PlaneFormat plane_format(Aov aov)
+{
+    if (aov == Aov::item) return {0, GL_R32UI, GL_RED_INTEGER};
+    switch (aov == Aov::lit ? 1 : aov_channels(aov)) {
+    case 1:
+        return {1, GL_R32F, GL_RED};
+    case 2:
+        return {2, GL_RG32F, GL_RG};
+    default:
+        return {3, GL_RGBA32F, GL_RGB}; // three channels need not be drawable
+    }
+}
+
+/// Reads the colours of a framebuffer to rows that may be longer.
+void read_rows(const Framebuffer& from, glm::ivec2 size, GLenum channels, GLenum type, void* to,
+    int row_pixels)
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_PACK_ROW_LENGTH, row_pixels);
+    glReadPixels(0, 0, size.x, size.y, channels, type, to);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+} // namespace
+
+SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_invocations)
+{
+    nothing_.create();
+    if (count_invocations_) {
+        invocations_.resize(4);
+        take_invocations();
+    }
+}
+
+const Program& SamplePasses::linked(Program& program, std::string_view fragment, Defines defines)
+{
+    if (program.name() == 0) {
+        if (fragment.ends_with(".comp"))
+            program = link_program({fragment}, defines);
+        else
+            program = link_program({"screen.vert", fragment}, defines);
+    }
+    return program;
+}
+
+void SamplePasses::start(const FrameData& frame)
+{
+    frame_data_ = frame;
+    size_ = frame.size;
+    frame_.resize(sizeof(FrameData));
+    frame_.upload(0, &frame, sizeof(FrameData));
+    glBindBufferBase(GL_UNIFORM_BUFFER, kFrame, frame_.name());
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // the mask is drawn and compared by one rule
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+}
+
+void SamplePasses::draw(const Program& program, const Framebuffer& target, glm::ivec2 size)
+{
+    target.check_complete("shading");
+    program.use();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
+    glBindVertexArray(nothing_.name());
+    glViewport(0, 0, size.x, size.y);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SamplePasses::draw_into(
+    const Program& program, Texture2D& texture, GLenum format, glm::ivec2 size)
+{
+    texture.resize(format, size.x, size.y);
+    target_.attach(GL_COLOR_ATTACHMENT0, texture.name());
+    draw(program, target_, size);
+}
+
+void SamplePasses::mask_empty()
+{
+    mask_.resize(GL_DEPTH_COMPONENT32F, size_.x, size_.y);
+    target_.attach(GL_COLOR_ATTACHMENT0, 0);
+    target_.attach(GL_DEPTH_ATTACHMENT, mask_.name());
+    const float far = 1;
+    glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &far);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    draw(linked(early_z_, "early_z.frag"), target_, size_);
+    glDisable(GL_DEPTH_TEST);
+    target_.attach(GL_DEPTH_ATTACHMENT, 0);
+}
+
+namespace {
+
+/// While it lives, only samples with the mask's depth are drawn.
+class Masked {
+  public:
+    Masked(const Texture2D& mask, Framebuffer& target, bool masked)
+        : target_(target),
+          masked_(masked)
+    {
+        if (!masked_) return;
+        target_.attach(GL_DEPTH_ATTACHMENT, mask.name());
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_EQUAL);
+        glDepthMask(GL_FALSE);
+    }
+    ~Masked()
+    {
+        if (!masked_) return;
+        glDepthMask(GL_TRUE);
+        glDisable(GL_DEPTH_TEST);
+        target_.attach(GL_DEPTH_ATTACHMENT, 0);
+    }
+    Masked(const Masked&) = delete;
+    Masked& operator=(const Masked&) = delete;
+
+  private:
+    Framebuffer& target_;
+    bool masked_;
+};
+
+} // namespace
+
+void SamplePasses::find_hits(bool masked)
+{
+    Defines defines;
+    if (count_invocations_) {
+        defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
+        invocations_.bind_storage(kResult);
+    }
+    const Program& program = linked(intersect_, "intersect.frag", std::move(defines));
+    hits_.resize(GL_RGBA32UI, size_.x, size_.y);
+    target_.attach(GL_COLOR_ATTACHMENT0, hits_.name());
+    if (masked) {
+        const GLuint nothing[4] = {0xFFFFFFFFu, 0, 0, 0};
+        glClearNamedFramebufferuiv(target_.name(), GL_COLOR, 0, nothing);
+    }
+    const Masked mask(mask_, target_, masked);
+    draw(program, target_, size_);
+    hits_.bind(kHitsUnit);
+}
+
+void SamplePasses::find_bounds(bool stored, std::span<LightBounds> bounds)
+{
+    Defines defines;
+    if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+    const Program& program = linked(bounds_[stored], "hit_bounds.comp", std::move(defines));
+    hit_bounds_.find(program, size_, bounds);
+}
+
+void SamplePasses::shade(const PassInput& input)
+{
+    Defines defines;
+    if (input.stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+    if (count_invocations_) {
+        defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
+        invocations_.bind_storage(kResult);
+    }
+    const Program& program = linked(shade_[input.stored], "shade_hits.frag", std::move(defines));
+    colors_.resize(GL_RGBA32F, size_.x, size_.y);
+    target_.attach(GL_COLOR_ATTACHMENT0, colors_.name());
+    if (input.masked) {
+        const glm::vec3& b = frame_data_.background;
+        const float background[4] = {b.x, b.y, b.z, 1};
+        glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, background);
+    }
+    const Masked mask(mask_, target_, input.masked);
+    draw(program, target_, size_);
+    newest_ = &colors_;
+}
+
+void SamplePasses::fill_holes()
+{
+    newest_->bind(kColorsUnit);
+    draw_into(linked(fill_, "fill_holes.frag"), filled_, GL_RGBA32F, size_);
+    newest_ = &filled_;
+}
+
+void SamplePasses::average(int samples)
+{
+    const Program& program = linked(average_, "average.frag");
+    program.use();
+    glUniform1i(0, samples);
+    newest_->bind(kColorsUnit);
+    size_ /= samples;
+    draw_into(program, pixels_, GL_RGBA32F, size_);
+    newest_ = &pixels_;
+}
+
+void SamplePasses::read_colors(float* to, int row_pixels)
+{
+    target_.attach(GL_COLOR_ATTACHMENT0, newest_->name());
+    read_rows(target_, size_, GL_RGB, GL_FLOAT, to, row_pixels);
+    check("reading a picture");
+}
+
+void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to, int row_pixels)
+{
+    const int number = static_cast<int>(aov);
+    Defines defines = {{"FIRSTHIT_PLANE", std::to_string(number)}};
+    if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+    const Program& program =
+        linked(plane_[stored][std::size_t(number)], "plane.frag", std::move(defines));
+    if (aov == Aov::lit) {
+        program.use();
+        glUniform1i(0, GLint(light));
+    }
+    const PlaneFormat format = plane_format(aov);
+    draw_into(program, planes_[format.number], format.drawn, frame_data_.size);
+    read_rows(target_, frame_data_.size, format.read, aov == Aov::item ? GL_UNSIGNED_INT : GL_FLOAT,
+        to, row_pixels);
+    check("reading a plane");
+}
+
+std::uint64_t SamplePasses::take_invocations()
+{
+    if (!count_invocations_) return 0;
+    GLuint count = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(invocations_.name(), 0, 4, &count);
+    const GLuint zero = 0;
+    invocations_.upload(0, &zero, 4);
+    return count;
+}
+
+} // namespace firsthit::gl

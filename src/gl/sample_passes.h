@@ -1,0 +1,86 @@
+// sample_passes.h - the gpu engine's passes over all samples of a part of a picture.
+//
+// Single pass (Robert and Schoepke 2006, section 4.2.1):
+//
+//     shade(...)              looks the item up, intersects, shades
+//
+// Multi-pass (section 4.2.2):
+//
+//     mask_empty()            depth, where there is an item
+//     find_hits(masked)       one intersection for each sample that is not masked
+//     shade(stored, masked)   shades these hits
+#pragma once
+
+#include "gl/gpu_data.h"
+#include "gl/hit_bounds.h"
+#include "gl/objects.h"
+#include "gl/program.h"
+
+#include <firsthit/film.h>
+
+#include <array>
+#include <cstdint>
+
+namespace firsthit::gl {
+
+/// What a pass over samples goes by.
+struct PassInput {
+    bool stored = false; // hits are those of find_hits; else they are found again from the items
+    bool masked = false; // only where mask_empty left depth
+};
+
+/// Programs and targets. All passes but the average read the bound blocks and textures (bindings.h)
+/// and write one texel a sample. Programs are linked when first used.
+class SamplePasses {
+  public:
+    /// count_invocations  for tests: find_hits and shade count the samples that run their shaders
+    explicit SamplePasses(bool count_invocations = false);
+
+    /// Begins a part: uploads what its samples share, and sizes the targets.
+    void start(const FrameData& frame);
+
+    void mask_empty();
+    void find_hits(bool masked);
+    /// The rectangles that hits fill, see hit_bounds.h.
+    void find_bounds(bool stored, std::span<LightBounds> bounds);
+    void shade(const PassInput& input);
+    /// Gives holes the colours around them.
+    void fill_holes();
+    /// Leaves the means of samples x samples colours.
+    void average(int samples);
+
+    /// (height, width) RGB of the newest colours, to rows that are `row_pixels` long. Waits.
+    void read_colors(float* to, int row_pixels);
+
+    /// Draws one plane and reads it: float with aov_channels(aov) channels, or uint32 for the item.
+    /// light  of Aov::lit, which has one channel here
+    void read_plane(Aov aov, bool stored, std::size_t light, void* to, int row_pixels);
+
+    /// (height, width) RGBA32UI: item, t, u, v of find_hits.
+    const Texture2D& hits() const { return hits_; }
+
+    /// Since the last call, of find_hits and shade. 0 where they are not counted.
+    std::uint64_t take_invocations();
+
+  private:
+    const Program& linked(Program& program, std::string_view fragment, Defines defines = {});
+    void draw(const Program& program, const Framebuffer& target, glm::ivec2 size);
+    void draw_into(const Program& program, Texture2D& texture, GLenum format, glm::ivec2 size);
+
+    bool count_invocations_;
+    FrameData frame_data_;
+    glm::ivec2 size_{0}; // of the newest colours
+
+    Program early_z_, intersect_, fill_, average_;
+    std::array<Program, 2> shade_, bounds_; // [stored]
+    std::array<std::array<Program, kAovCount>, 2> plane_;
+    VertexArray nothing_;
+    Buffer frame_, invocations_;
+    Texture2D mask_, hits_, colors_, filled_, pixels_;
+    const Texture2D* newest_ = nullptr; // of the last three
+    std::array<Texture2D, 4> planes_;   // item; 1, 2 and 4 channels
+    Framebuffer target_;
+    HitBounds hit_bounds_;
+};
+
+} // namespace firsthit::gl

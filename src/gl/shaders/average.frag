@@ -1,0 +1,17 @@
+// average.frag - a pixel's colour: the mean of its N x N samples, of those that were found.
+
+layout(binding = 2) uniform sampler2D colors;
+layout(location = 0) uniform int samples; // N
+layout(location = 0) out vec4 color_out;
+
+void main()
+{
+    ivec2 first = ivec2(gl_FragCoord.xy) * samples;
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < samples; ++y)
+        for (int x = 0; x < samples; ++x) {
+            vec4 color = texelFetch(colors, first + ivec2(x, y), 0);
+            sum += color.a > 0.0 ? color : vec4(0.0);
+        }
+    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) : vec4(texelFetch(colors, first, 0).rgb, 0.0);
+}

@@ -1,0 +1,23 @@
+// early_z.frag - masks the samples that have nothing to shade: depth is written only where an item
+// may be hit, and the passes after this one ask for that depth before their shaders run.
+//
+// source  Robert and Schoepke 2006, section 4.2.2
+#include "frame.glsl"
+#include "items.glsl"
+
+const int kTryAll = 3;
+
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    if (!is_shot(at)) discard;
+    // Where every sample tries its neighbours' items, one of them is enough.
+    int reach = frame.test == kTryAll ? frame.reach : 0;
+    bool found = false;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            ivec2 p = clamp(at + ivec2(x, y), ivec2(0), frame.size - 1);
+            found = found || item_at(p) != kNoItem;
+        }
+    if (!found) discard;
+}

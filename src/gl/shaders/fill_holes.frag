@@ -1,0 +1,39 @@
+// fill_holes.frag - gives samples that nothing was found for, or that were not shot, the colours
+// around them: src/film/fill_holes.h.
+//
+// source  Robert and Schoepke 2006, section 4.1
+#include "frame.glsl"
+
+layout(binding = 2) uniform sampler2D colors; // alpha 0: a hole
+layout(location = 0) out vec4 color_out;
+
+const int kReach = 16;
+
+/// The samples of the smallest window around the hole that has any which are no holes, weighted by
+/// 1 / distance^2.
+vec4 color_around(ivec2 at)
+{
+    vec4 sum = vec4(0.0);
+    for (int reach = 1; reach <= kReach && sum.a == 0.0; ++reach)
+        for (int y = -reach; y <= reach; ++y) {
+            // Of the window's inner rows only the ends are new.
+            int step = abs(y) == reach ? 1 : 2 * reach;
+            for (int x = -reach; x <= reach; x += step) {
+                ivec2 p = at + ivec2(x, y);
+                if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, textureSize(colors, 0)))) continue;
+                if (!is_shot(p)) continue;
+                vec4 color = texelFetch(colors, p, 0);
+                if (color.a > 0.0) sum += vec4(color.rgb, 1.0) / float(x * x + y * y);
+            }
+        }
+    return sum;
+}
+
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    color_out = texelFetch(colors, at, 0);
+    if (color_out.a > 0.0 && is_shot(at)) return;
+    vec4 sum = color_around(at);
+    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) : vec4(color_out.rgb, 0.0);
+}

@@ -1,0 +1,85 @@
+// find_hit.glsl - which triangle does a sample's ray hit, and where?
+//
+// source  Robert and Schoepke 2006, sections 4.1 (lazy multisampling) and 4.2.1
+
+const uint kHole = 0xFFFFFFFEu; // there is an item, but no triangle that is hit; or not shot
+
+/// What the ray does where the item's triangle is missed: frame.test.
+const int kTakeItem = 0; // the items are exact: nothing is missed
+const int kTestItem = 1; // a hole
+const int kTryNeighbours = 2; // the nearest hit among the items around
+const int kTryAll = 3; // the same, also where the first test succeeds
+
+struct Hit {
+    uint item;
+    float t; // depth
+    float u, v; // weights of corners 1 and 2
+};
+
+bool is_hit(Hit hit)
+{
+    return hit.item < kHole;
+}
+
+#ifdef FIRSTHIT_STORED_HITS
+
+layout(binding = 1) uniform usampler2D hits;
+
+Hit find_hit(ivec2 sample_at)
+{
+    uvec4 stored = texelFetch(hits, sample_at, 0);
+    return Hit(stored.x, uintBitsToFloat(stored.y), uintBitsToFloat(stored.z),
+        uintBitsToFloat(stored.w));
+}
+
+#else
+
+TriangleHit test_triangle(uint triangle, vec3 d)
+{
+    uvec3 corner = triangle_corners(triangle);
+    return intersect(
+        eye_position(corner.x), eye_position(corner.y), eye_position(corner.z), d);
+}
+
+/// The nearest hit among the items around the sample, the lowest id where two are as near.
+Hit nearest_around(ivec2 sample_at, vec3 d, Hit otherwise)
+{
+    Hit nearest = otherwise;
+    float least = uintBitsToFloat(0x7F800000u);
+    uint tried = kNoItem;
+    for (int y = -frame.reach; y <= frame.reach; ++y) {
+        for (int x = -frame.reach; x <= frame.reach; ++x) {
+            ivec2 at = sample_at + ivec2(x, y);
+            if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, frame.size))) continue;
+            uint item = item_at(at);
+            if (item == tried || item >= frame.triangles) continue;
+            tried = item;
+            TriangleHit found = test_triangle(item, d);
+            if (!found.hit || found.t > least || (found.t == least && item > nearest.item))
+                continue;
+            least = found.t;
+            nearest = Hit(item, found.t, found.u, found.v);
+        }
+    }
+    return nearest;
+}
+
+Hit find_hit(ivec2 sample_at)
+{
+    const Hit hole = Hit(kHole, 0.0, 0.0, 0.0);
+    if (!is_shot(sample_at)) return hole;
+    uint item = item_at(sample_at);
+    vec3 d = eye_direction(sample_at);
+    Hit otherwise = hole;
+    if (item == kNoItem) otherwise.item = kNoItem;
+    if (frame.test == kTryAll) return nearest_around(sample_at, d, otherwise);
+    if (item == kNoItem) return otherwise;
+    if (item < frame.triangles) {
+        TriangleHit found = test_triangle(item, d);
+        if (found.hit || frame.test == kTakeItem) return Hit(item, found.t, found.u, found.v);
+    }
+    if (frame.test == kTryNeighbours) return nearest_around(sample_at, d, hole);
+    return hole;
+}
+
+#endif

@@ -1,0 +1,40 @@
+// frame.glsl - what all pixels of a frame share. The layouts are those of gl/gpu_data.h.
+
+layout(std140, binding = 0) uniform Frame
+{
+    vec3 eye; // world space
+    float inv_f;
+    vec3 right; // world space
+    float first_x; // ray of the part's first sample: (first_x, first_y, 1) in eye space
+    vec3 down;
+    float first_y;
+    vec3 forward;
+    int lights;
+    vec3 background;
+    int test; // how the item is repaired, see find_hit
+    vec3 ambient;
+    int reach; // neighbours on each side that are tried
+    ivec2 size; // of the part, samples
+    ivec2 corner; // the part's first sample, in the picture
+    uint triangles;
+    int interleave; // every so-many-th sample of a row is shot
+    int has_uv;
+    int shadow_maps; // 0: every light reaches everything
+    int filter_size; // N: N x N texels are compared
+    float bias; // of maps
+    int interleave_shift; // from row to row
+    int item_channels; // 1: integers; 3, 4: colours
+} frame;
+
+/// Whether the sample's ray is shot, or its colour comes from its neighbours.
+bool is_shot(ivec2 sample_at)
+{
+    ivec2 p = sample_at + frame.corner;
+    return (p.x + p.y * frame.interleave_shift) % frame.interleave == 0;
+}
+
+/// In eye space, x and y times f.
+vec3 eye_direction(ivec2 sample_at)
+{
+    return vec3(frame.first_x + float(sample_at.x), frame.first_y + float(sample_at.y), 1.0);
+}

@@ -1,0 +1,58 @@
+// plane.frag - one plane of the film, FIRSTHIT_PLANE: the number of an Aov (firsthit/film.h).
+#include "frame.glsl"
+#include "scene.glsl"
+#include "intersect.glsl"
+#include "items.glsl"
+#include "find_hit.glsl"
+#include "hit_position.glsl"
+#include "spot_cone.glsl"
+#include "power.glsl"
+#include "phong.glsl"
+#include "texture.glsl"
+#include "shadow_map.glsl"
+#include "materials.glsl"
+#include "sample_texture.glsl"
+#include "surface.glsl"
+#include "lights.glsl"
+#include "shadow_look_up.glsl"
+#include "shade.glsl"
+
+#if FIRSTHIT_PLANE == 0
+layout(location = 0) out uvec4 plane_out;
+#else
+layout(location = 0) out vec4 plane_out;
+layout(location = 0) uniform int light_id; // of the plane `lit`
+#endif
+
+void main()
+{
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    Hit hit = find_hit(at);
+#if FIRSTHIT_PLANE == 0 // item
+    plane_out = uvec4(is_hit(hit) ? hit.item : kNoItem);
+#elif FIRSTHIT_PLANE == 1 // depth
+    plane_out = vec4(is_hit(hit) ? hit.t : uintBitsToFloat(0x7F800000u));
+#elif FIRSTHIT_PLANE == 2 // distance
+    vec2 d = eye_direction(at).xy * frame.inv_f;
+    plane_out = vec4(is_hit(hit) ? hit.t * sqrt(1.0 + dot(d, d)) : uintBitsToFloat(0x7F800000u));
+#elif FIRSTHIT_PLANE == 8 // barycentric
+    plane_out = is_hit(hit) ? vec4(hit.u, hit.v, 0.0, 0.0) : vec4(0.0);
+#else
+    plane_out = vec4(0.0);
+    if (!is_hit(hit)) return;
+    Surface surface = find_surface(at, hit);
+#if FIRSTHIT_PLANE == 3 // uv
+    plane_out.xy = surface.uv;
+#elif FIRSTHIT_PLANE == 4 // normal
+    plane_out.xyz = surface.normal;
+#elif FIRSTHIT_PLANE == 5 // geometric_normal
+    plane_out.xyz = surface.geometric;
+#elif FIRSTHIT_PLANE == 6 // position
+    plane_out.xyz = surface.position;
+#elif FIRSTHIT_PLANE == 7 // albedo
+    plane_out.xyz = materials[surface.material].diffuse * texture_of(surface);
+#elif FIRSTHIT_PLANE == 9 // lit
+    plane_out.x = lit_by(light_id, at, hit, surface);
+#endif
+#endif
+}

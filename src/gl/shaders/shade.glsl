@@ -1,0 +1,51 @@
+// shade.glsl - what colour is it? src/shade/phong_block-inl.h, for a pixel.
+//
+// source  Phong 1975, "Illumination for Computer Generated Pictures"
+
+/// How much of a light the shadows leave.
+float lit_by(int light_id, ivec2 sample_at, Hit hit, Surface surface)
+{
+    if (frame.shadow_maps == 0) return 1.0;
+    return look_up(light_id, light_data[light_id], eye_direction(sample_at), hit.t, surface);
+}
+
+/// The material's diffuse colour is multiplied by this.
+vec3 texture_of(Surface surface)
+{
+    int texture_id = materials[surface.material].texture_id;
+    if (texture_id < 0 || frame.has_uv == 0) return vec3(1.0);
+    return sample_texture(texture_id, surface.uv, surface.footprint2);
+}
+
+/// Ambient light and that of all lights.
+vec3 shade(ivec2 sample_at, Hit hit, Surface surface)
+{
+    MaterialData material = materials[surface.material];
+    vec3 texture_color = texture_of(surface);
+    vec3 diffuse = material.diffuse * texture_color;
+    bool glossy = material.specular != vec3(0.0);
+
+    vec3 color = material.ambient * frame.ambient * texture_color;
+    for (int id = 0; id < frame.lights; ++id) {
+        // How much of it arrives, and from where.
+        float share = lit_by(id, sample_at, hit, surface);
+        if (share <= 0.0) continue;
+        LightData light = light_data[id];
+        vec3 to_light = light.to_light;
+        if (light.kind != kDirectionalLight) {
+            vec3 d = surface.position - light.position;
+            if (light.kind == kSpotLight)
+                share *= cone_share(versine(light.axis, d), light.outer, light.inv_width);
+            if (share <= 0.0) continue;
+            to_light = unit(-d);
+        }
+
+        float cosine = lit_cosine(surface.normal, to_light);
+        float glint = 0.0;
+        if (glossy)
+            glint = highlight(surface.normal, surface.to_eye, to_light, cosine,
+                material.whole_shininess, material.shininess);
+        color += reflected(light.color, diffuse, cosine, material.specular, glint) * share;
+    }
+    return color;
+}

@@ -1,0 +1,3 @@
+// shadow_depth.frag - nothing but depth.
+
+void main() {}
