@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/buffer.h"
-#include "cpu/lattice.h"
+#include "hits/lattice.h"
 #include "hits/hit_tile.h"
 #include "hits/lit_tile.h"
 
