@@ -250,6 +250,7 @@ void render_frame(const World& world, const View& view, const Settings& settings
     FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats, const FrameSources& sources)
 {
     ItemSource& items = sources.items ? *sources.items : memory.raster;
+    memory.lit.map_maker = sources.maps;
     film.width = view.region.width;
     film.height = view.region.height;
     clear_unused(film, settings.color, settings.aovs);

@@ -50,6 +50,7 @@ struct FrameMemory {
 /// Who makes what a frame is made of; null: the cpu engine.
 struct FrameSources {
     ItemSource* items = nullptr;
+    MapMaker* maps = nullptr;
 };
 
 /// Renders the view's region into the film and adds to the statistics. `settings` and `view` are

@@ -15,8 +15,10 @@ namespace firsthit::gl {
 CertifiedItems::CertifiedItems(const Context& context)
     : limits_(context.info()),
       sure_(make_shader(false)),
-      doubt_(make_shader(true))
+      doubt_(make_shader(true)),
+      scatter_(link_program({"scatter.vert", "scatter.frag"}))
 {
+    nothing_.create();
     vertices_.create();
     glEnableVertexArrayAttrib(vertices_.name(), 0);
     glVertexArrayAttribFormat(vertices_.name(), 0, 3, GL_FLOAT, GL_FALSE, 0);
@@ -53,6 +55,8 @@ void CertifiedItems::make_targets(int width, int height)
     sure_target_.check_complete("certain items");
     doubt_target_.attach(GL_COLOR_ATTACHMENT0, uncertain_.name());
     doubt_target_.check_complete("uncertain samples");
+    item_target_.attach(GL_COLOR_ATTACHMENT0, items_.name());
+    item_target_.check_complete("items that are given");
 }
 
 void CertifiedItems::run(const Shader& shader, const SceneBuffers& scene, const Pencil& pencil)
@@ -84,6 +88,8 @@ void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
             pencil.width, pencil.height, limits_.max_texture_size, limits_.renderer,
             limits_.version));
     make_targets(pencil.width, pencil.height);
+    width_ = pencil.width;
+    height_ = pencil.height;
     glViewport(0, 0, pencil.width, pencil.height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -111,6 +117,55 @@ void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
     run(doubt_, scene, pencil);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     check("drawing certain items");
+}
+
+void CertifiedItems::read_items(std::span<std::uint32_t> items) const
+{
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, item_target_.name());
+    glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_UNSIGNED_INT, items.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    check("reading certain items");
+}
+
+std::span<const ListedSample> CertifiedItems::read_uncertain()
+{
+    const auto width = std::size_t(width_);
+    marks_.resize(width * std::size_t(height_));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, doubt_target_.name());
+    glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_UNSIGNED_BYTE, marks_.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    check("reading uncertain samples");
+    listed_.clear();
+    for (auto at = marks_.begin(); (at = std::find(at, marks_.end(), 1)) != marks_.end(); ++at) {
+        const auto k = std::size_t(at - marks_.begin());
+        listed_.push_back({std::uint16_t(k % width), std::uint16_t(k / width)});
+    }
+    return listed_;
+}
+
+void CertifiedItems::write(
+    std::span<const ListedSample> samples, std::span<const std::uint32_t> items)
+{
+    if (samples.empty()) return;
+    given_.clear();
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        given_.push_back({std::uint32_t(samples[k].y) << 16 | samples[k].x, items[k]});
+    given_buffer_.assign(std::span<const GivenItem>(given_));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, item_target_.name());
+    glViewport(0, 0, width_, height_);
+    glDisable(GL_DEPTH_TEST);
+    scatter_.use();
+    glUniform2f(scatter_.location("size"), GLfloat(width_), GLfloat(height_));
+    given_buffer_.bind_storage(0);
+    glBindVertexArray(nothing_.name());
+    glDrawArrays(GL_POINTS, 0, GLsizei(given_.size()));
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    check("writing items");
 }
 
 } // namespace firsthit::gl

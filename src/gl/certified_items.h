@@ -18,6 +18,11 @@
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/scene_buffers.h"
+#include "visibility/lazy_items.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace firsthit::gl {
 
@@ -31,11 +36,18 @@ class CertifiedItems {
     ///         ArgumentError: a parallel pencil
     void draw(const SceneBuffers& scene, const Pencil& pencil);
 
-    /// Of the last draw; at least as large as the pencil, whose pixels come first.
-    const Texture2D& items() const { return items_; }         // r32ui; none = kNoItem
-    const Texture2D& uncertain() const { return uncertain_; } // r8ui; 1: not certain
-    const Framebuffer& items_target() const { return sure_target_; }
-    const Framebuffer& uncertain_target() const { return doubt_target_; }
+    /// Of the last draw: r32ui, none = kNoItem; at least as large as the pencil, whose pixels come
+    /// first.
+    const Texture2D& items() const { return items_; }
+
+    /// (height, width) of the pencil. Waits.
+    void read_items(std::span<std::uint32_t> items) const;
+
+    /// The samples that are marked, row by row. Waits; valid until the next call.
+    std::span<const ListedSample> read_uncertain();
+
+    /// Writes the items of samples into items().
+    void write(std::span<const ListedSample> samples, std::span<const std::uint32_t> items);
 
   private:
     struct Shader {
@@ -46,11 +58,25 @@ class CertifiedItems {
     void make_targets(int width, int height);
     void run(const Shader& shader, const SceneBuffers& scene, const Pencil& pencil);
 
+    /// As scatter.vert has it.
+    struct GivenItem {
+        std::uint32_t place; // y << 16 | x
+        std::uint32_t item;
+    };
+
     ContextInfo limits_;
     Shader sure_, doubt_;
     VertexArray vertices_;
     Texture2D items_, depths_, key_, uncertain_;
-    Framebuffer sure_target_, doubt_target_;
+    Framebuffer sure_target_, doubt_target_, item_target_;
+    int width_ = 0, height_ = 0; // of the pencil
+
+    std::vector<std::uint8_t> marks_; // (height, width)
+    std::vector<ListedSample> listed_;
+    Program scatter_;
+    VertexArray nothing_;
+    std::vector<GivenItem> given_;
+    Buffer given_buffer_;
 };
 
 } // namespace firsthit::gl

@@ -98,4 +98,13 @@ void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, 
     check("drawing a shadow map");
 }
 
+void DepthPass::draw_changed(
+    const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps)
+{
+    const DrawnTriangles triangles{scene.world().name(), scene.index().name(), scene.triangles()};
+    for (const MapNumber& k : maps.changed)
+        draw(world, triangles, k.face, map_of(maps, k),
+            texels.first()[k.light * kFaces + std::size_t(k.face)], texels);
+}
+
 } // namespace firsthit::gl

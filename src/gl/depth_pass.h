@@ -3,6 +3,7 @@
 
 #include "gl/map_texels.h"
 #include "gl/objects.h"
+#include "gl/scene_buffers.h"
 #include "shadow/shadow_map.h"
 
 #include <firsthit/scene.h>
@@ -36,6 +37,10 @@ class DepthPass {
     /// throws  DeviceError: no memory, or a map beyond the largest texture
     void draw(const World& world, const DrawnTriangles& scene, int face, ShadowMap& map,
         std::uint32_t first, const MapTexels& texels);
+
+    /// The same for all maps.changed.
+    void draw_changed(
+        const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps);
 
   private:
     Program draw_, store_;

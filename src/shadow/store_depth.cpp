@@ -76,6 +76,18 @@ namespace firsthit {
 
 HWY_EXPORT(store);
 
+void find_farthest(const float* depth, int width, int height, FarthestDepths& farthest)
+{
+    farthest.resize(width, height);
+    std::fill_n(
+        farthest.depth.data(), farthest.depth.size(), -std::numeric_limits<float>::infinity());
+    for (int y = 0; y < height; y += 4)
+        for (int x = 0; x < width; x += 4, depth += kQuadTexels) {
+            float& cell = farthest.at(x / kCellSide, y / kCellSide);
+            cell = std::max(cell, *std::max_element(depth, depth + kQuadTexels));
+        }
+}
+
 void store_depth(const DepthTile& tile, const Pencil& pencil, const MapWindow& window)
 {
     HWY_DYNAMIC_DISPATCH(store)(tile, pencil, window);

@@ -44,6 +44,9 @@ struct FarthestDepths {
     float at(int x, int y) const { return depth[std::size_t(y * across + x)]; }
 };
 
+/// Finds them where the depths came from elsewhere. depth: a map's, see quad_offset
+void find_farthest(const float* depth, int width, int height, FarthestDepths& farthest);
+
 /// A rectangle of a map that starts at a cell and lies inside one tile.
 struct MapWindow {
     float* depth;      // of its first texel

@@ -31,23 +31,15 @@ Counts count(const gl::Context& context, const World& world, const View& view)
     gl::CertifiedItems pass(context);
     pass.draw(scene, pencil);
     std::vector<std::uint32_t> items(width * height);
-    std::vector<std::uint8_t> marks(width * height);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, pass.items_target().name());
-    glReadPixels(0, 0, pencil.width, pencil.height, GL_RED_INTEGER, GL_UNSIGNED_INT, items.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, pass.uncertain_target().name());
-    glReadPixels(0, 0, pencil.width, pencil.height, GL_RED_INTEGER, GL_UNSIGNED_BYTE, marks.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    pass.read_items(items);
+    std::vector<bool> marks(width * height);
+    const std::span<const ListedSample> listed = pass.read_uncertain();
+    for (const ListedSample& at : listed) marks[at.y * width + at.x] = true;
 
     const std::vector<std::uint32_t> expected = test::items_of(world, view);
     Counts counts;
-    std::vector<ListedSample> listed;
-    std::vector<std::size_t> places;
     for (std::size_t k = 0; k < items.size(); ++k) {
         if (marks[k]) {
-            listed.push_back({std::uint16_t(k % width), std::uint16_t(k / width)});
-            places.push_back(k);
             counts.repaired += items[k] != expected[k];
         } else if (items[k] != expected[k] && ++counts.wrong < 6) {
             ADD_FAILURE() << "sample (" << k % width << ", " << k / width << "): " << items[k]
@@ -62,7 +54,8 @@ Counts count(const gl::Context& context, const World& world, const View& view)
     LazyMemory lazy;
     std::vector<std::uint32_t> decided(listed.size());
     find_listed_items(memory, listed, lazy, decided, tasks);
-    for (std::size_t k = 0; k < decided.size(); ++k) items[places[k]] = decided[k];
+    pass.write(listed, decided);
+    pass.read_items(items);
     for (std::size_t k = 0; k < items.size(); ++k) counts.wrong_after += items[k] != expected[k];
     counts.marked = double(listed.size()) / double(items.size());
     return counts;

@@ -23,14 +23,15 @@ struct Variant {
 /// All that the library compiles: a new shader or define gets its line here.
 std::vector<Variant> all_variants()
 {
-    std::vector<Variant> variants = {{"certify.vert", {}}, {"certify.geom", {}},
-        {"certify.frag", {{"DOUBTS", "0"}}}, {"certify.frag", {{"DOUBTS", "1"}}},
-        {"item.vert", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "0"}}},
-        {"item.frag", {{"COLORS", "1"}}}, {"pose.comp", {{"SURFACES", "0"}}},
-        {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}}, {"early_z.frag", {}},
-        {"intersect.frag", {}}, {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}},
-        {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
-        {"average.frag", {}}, {"fill_holes.frag", {}}};
+    std::vector<Variant> variants = {{"certify.vert", {}}, {"scatter.vert", {}},
+        {"scatter.frag", {}}, {"certify.geom", {}}, {"certify.frag", {{"DOUBTS", "0"}}},
+        {"certify.frag", {{"DOUBTS", "1"}}}, {"item.vert", {{"COLORS", "0"}}},
+        {"item.frag", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "1"}}},
+        {"pose.comp", {{"SURFACES", "0"}}}, {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}},
+        {"early_z.frag", {}}, {"intersect.frag", {}},
+        {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}}, {"shadow_depth.vert", {}},
+        {"shadow_depth.frag", {}}, {"store_map.comp", {}}, {"average.frag", {}},
+        {"fill_holes.frag", {}}};
     for (const bool stored : {false, true}) {
         gl::Defines defines;
         if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
