@@ -66,17 +66,16 @@ std::uint64_t fill_register(const HolePicture& picture, std::size_t at, std::uin
         for (int dx = -kReach; dx <= kReach; dx += dy == -kReach || dy == kReach ? 1 : 2 * kReach)
             add(dx, dy);
 
-    std::uint8_t bytes[8];
-    std::memcpy(bytes, &wanted, 8);
-    const auto filled = hn::And(hn::LoadMaskBits(d, bytes), hn::Gt(weight, none));
-    auto r = none, g = none, b = none;
-    float* const color = &picture.color[at * 3];
-    hn::LoadInterleaved3(d, color, r, g, b);
-    const auto mean = [&](auto sum, auto old) {
-        return hn::IfThenElse(filled, hn::Div(sum, weight), old);
-    };
-    hn::StoreInterleaved3(mean(red, r), mean(green, g), mean(blue, b), d, color);
-    return wanted & ~bits_of(filled);
+    // Other threads may be reading the pixels between: only holes are written.
+    alignas(64) float mean[3 * hn::MaxLanes(d)];
+    hn::StoreInterleaved3(
+        hn::Div(red, weight), hn::Div(green, weight), hn::Div(blue, weight), d, mean);
+    const std::uint64_t filled = wanted & bits_of(hn::Gt(weight, none));
+    for (std::uint64_t rest = filled; rest; rest &= rest - 1) {
+        const auto k = std::size_t(std::countr_zero(rest));
+        for (std::size_t c = 0; c < 3; ++c) picture.color[(at + k) * 3 + c] = mean[k * 3 + c];
+    }
+    return wanted & ~filled;
 }
 
 /// A row whose `margin` neighbours above and below are in the range, at least 1.
