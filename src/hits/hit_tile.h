@@ -48,8 +48,8 @@ struct HitTile {
     const float* u = nullptr;            // weight of corner 1 (Embree's convention)
     const float* v = nullptr;            // weight of corner 2
 
-    /// For shading alone, samples may be packed: then `places` has a place for each block, and
-    /// `item` is null (cpu/packed_tile.h).
+    /// Shading alone also takes packed samples (cpu/packed_tile.h): then `places` has a place for
+    /// each block, and `item` is null.
     bool packed = false;
     std::span<const BlockPlace> places;
 
