@@ -1,11 +1,15 @@
-// compare.h - holds items and shadows against other ray casters, each disagreement settled exactly.
+// compare.h - holds items and shadows against other ray casters, and engines against each other.
 #pragma once
 
+#include <firsthit/render.h>
 #include <firsthit/scene.h>
 #include <firsthit/view.h>
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <string>
 
 namespace firsthit {
 
@@ -44,5 +48,60 @@ struct LitComparison {
 /// throws    as compare; SceneError: a light that is no sound one
 LitComparison compare_lit(const World& world, const View& view, Oracle oracle, int threads = 0,
     const std::function<void(double)>& progress = {});
+
+/// How far an engine on OpenGL agrees with the cpu engine. Items are of the rays through the pixels'
+/// centres; pictures are compared by their displayed values: the channels, clamped to [0, 1] and
+/// sRGB-encoded, without rounding to codes.
+struct EngineComparison {
+    std::uint64_t pixels = 0;
+    std::uint64_t missed = 0;       // the cpu sees a triangle, the engine none
+    std::uint64_t wrong = 0;        // the engine sees a triangle that is not the cpu's and no tie
+    std::uint64_t ties = 0;         // different triangles, both hit at exactly the same depth
+    std::uint64_t interpolated = 0; // pixels that got the colours around them
+    double square_sum = 0;          // of the differences of all displayed values
+    double largest_difference = 0;  // of a displayed value
+    /// square_sum of the gpu engine's picture when it is lent the cpu engine's items and shadow maps.
+    /// Nothing of the hybrid engine, of several samples, and of pictures that are made in parts.
+    std::optional<double> square_sum_same_items;
+
+    /// Peak signal to noise ratio, decibels: 10 log10(values / square_sum). Infinite where the
+    /// pictures are equal.
+    double psnr_db() const;
+    std::optional<double> psnr_same_items_db() const;
+};
+
+/// Of the frames of both.
+EngineComparison operator+(const EngineComparison& a, const EngineComparison& b);
+
+/// Compares engines over several frames: programs and memory are kept. One frame at a time.
+class EngineComparer {
+  public:
+    /// threads  0: one for each core
+    explicit EngineComparer(int threads = 0);
+    ~EngineComparer();
+    EngineComparer(const EngineComparer&) = delete;
+    EngineComparer& operator=(const EngineComparer&) = delete;
+
+    /// Renders the frame by settings.engine, hybrid or gpu, and by the cpu engine with the same
+    /// settings. Shadows::automatic is map for both. settings.color and .aovs are not looked at.
+    /// throws  ArgumentError: another engine, and as Renderer::render
+    ///         DeviceError: no OpenGL, or it fails; the next frame starts anew
+    EngineComparison compare(const World& world, const View& view, const Settings& settings);
+
+    /// The pictures of the last frame, with the plane `item`.
+    const Film& engine_film() const;
+    const Film& cpu_film() const;
+
+    /// Of the last frame: OpenGL's renderer and version.
+    const std::string& device() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The same for a single frame.
+EngineComparison compare_engines(
+    const World& world, const View& view, const Settings& settings, int threads = 0);
 
 } // namespace firsthit

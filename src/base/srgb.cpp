@@ -20,13 +20,17 @@ const std::array<float, 256>& linear_from_srgb()
     return table;
 }
 
-std::uint8_t srgb_from_linear(float linear)
+double srgb_value(float linear)
 {
     if (!(linear > 0.0f)) return 0;
-    if (linear >= 1.0f) return 255;
+    if (linear >= 1.0f) return 1;
     const double x = linear;
-    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::floor(255.0 * s + 0.5));
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+
+std::uint8_t srgb_from_linear(float linear)
+{
+    return static_cast<std::uint8_t>(std::floor(255.0 * srgb_value(linear) + 0.5));
 }
 
 SrgbTable::SrgbTable()

@@ -14,6 +14,9 @@ namespace firsthit {
 /// Linear light, 0 to 1, of each code.
 const std::array<float, 256>& linear_from_srgb();
 
+/// What is displayed, 0 to 1, of a linear value clamped to [0, 1]; no number gives 0.
+double srgb_value(float linear);
+
 /// The code nearest to a linear value, by the formula in double precision: clamped to [0, 1], no
 /// number gives 0. The definition that SrgbTable is held against.
 std::uint8_t srgb_from_linear(float linear);

@@ -180,7 +180,10 @@ void GpuFrame::render_part(const Job& job, const Part& part)
         if (job.settings.interpolate) passes_.fill_holes();
     }
     job.stats.shade_ms += stage_ms();
-    if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
+    if (part.color) {
+        passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
+        if (job.settings.interpolate) job.stats.interpolated += passes_.read_filled();
+    }
     if (part.planes) read_planes(job, part, stored);
 }
 

@@ -45,6 +45,7 @@ void read_rows(const Framebuffer& from, glm::ivec2 size, GLenum channels, GLenum
 SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_invocations)
 {
     nothing_.create();
+    filled_count_.resize(4);
     if (count_invocations_) {
         invocations_.resize(4);
         take_invocations();
@@ -193,6 +194,9 @@ void SamplePasses::shade(const PassInput& input)
 void SamplePasses::fill_holes()
 {
     newest_->bind(kColorsUnit);
+    const GLuint zero = 0;
+    filled_count_.upload(0, &zero, 4);
+    filled_count_.bind_storage(kResult);
     draw_into(linked(fill_, "fill_holes.frag"), filled_, GL_RGBA32F, size_);
     newest_ = &filled_;
 }
@@ -233,12 +237,27 @@ void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to,
     check("reading a plane");
 }
 
+namespace {
+
+std::uint64_t read_count(const Buffer& buffer)
+{
+    GLuint count = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(buffer.name(), 0, 4, &count);
+    return count;
+}
+
+} // namespace
+
+std::uint64_t SamplePasses::read_filled() const
+{
+    return read_count(filled_count_);
+}
+
 std::uint64_t SamplePasses::take_invocations()
 {
     if (!count_invocations_) return 0;
-    GLuint count = 0;
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(invocations_.name(), 0, 4, &count);
+    const std::uint64_t count = read_count(invocations_);
     const GLuint zero = 0;
     invocations_.upload(0, &zero, 4);
     return count;

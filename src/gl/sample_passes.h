@@ -59,6 +59,9 @@ class SamplePasses {
     /// (height, width) RGBA32UI: item, t, u, v of find_hits.
     const Texture2D& hits() const { return hits_; }
 
+    /// Holes that the last fill_holes gave a colour. Waits.
+    std::uint64_t read_filled() const;
+
     /// Since the last call, of find_hits and shade. 0 where they are not counted.
     std::uint64_t take_invocations();
 
@@ -75,7 +78,7 @@ class SamplePasses {
     std::array<Program, 2> shade_, bounds_; // [stored]
     std::array<std::array<Program, kAovCount>, 2> plane_;
     VertexArray nothing_;
-    Buffer frame_, invocations_;
+    Buffer frame_, invocations_, filled_count_;
     Texture2D mask_, hits_, colors_, filled_, pixels_;
     const Texture2D* newest_ = nullptr; // of the last three
     std::array<Texture2D, 4> planes_;   // item; 1, 2 and 4 channels

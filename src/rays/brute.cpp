@@ -118,6 +118,21 @@ std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effo
     return best;
 }
 
+glm::vec3 direction_of(const Pencil& pencil, std::size_t sample)
+{
+    const std::size_t width = std::size_t(pencil.width);
+    return {
+        float(pencil.x0 + double(sample % width)), float(pencil.y0 + double(sample / width)), 1.0f};
+}
+
+bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d)
+{
+    Effort effort;
+    return a != kNoItem && b != kNoItem && is_hit(triangles[a], d, effort) &&
+           is_hit(triangles[b], d, effort) &&
+           compare_depth(triangles[a], triangles[b], d, effort) == 0;
+}
+
 void cast_brute(const EyeTriangles& triangles, const Pencil& pencil, std::span<std::uint32_t> items,
     Tasks& tasks, const std::function<void(double)>& progress)
 {

@@ -36,4 +36,10 @@ std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effo
 void cast_brute(const EyeTriangles& triangles, const Pencil& pencil, std::span<std::uint32_t> items,
     Tasks& tasks, const std::function<void(double)>& progress = {});
 
+/// Both triangles are hit by the ray, at exactly the same depth. No for kNoItem.
+bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d);
+
+/// Of the ray of sample (y * width) + x.
+glm::vec3 direction_of(const Pencil& pencil, std::size_t sample);
+
 } // namespace firsthit

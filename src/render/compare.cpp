@@ -34,15 +34,6 @@ std::vector<std::uint32_t> cast(Oracle oracle, const EyeTriangles& triangles, co
     return items;
 }
 
-/// Both triangles are hit by the ray, at exactly the same depth.
-bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d)
-{
-    Effort effort;
-    return a != kNoItem && b != kNoItem && is_hit(triangles[a], d, effort) &&
-           is_hit(triangles[b], d, effort) &&
-           compare_depth(triangles[a], triangles[b], d, effort) == 0;
-}
-
 } // namespace
 
 Comparison compare(const World& world, const View& view, Oracle oracle, int threads,
@@ -78,9 +69,7 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
                 ++same;
                 continue;
             }
-            const std::size_t width = std::size_t(eye.pencil.width);
-            const glm::vec3 d{float(eye.pencil.x0 + double(i % width)),
-                float(eye.pencil.y0 + double(i / width)), 1.0f};
+            const glm::vec3 d = direction_of(eye.pencil, i);
             Effort effort;
             if (cast_brute(triangles, d, effort) != a)
                 ++ours_wrong;

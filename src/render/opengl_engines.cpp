@@ -9,6 +9,7 @@ OpenGlEngines::~OpenGlEngines()
 {
     hybrid_.reset();
     const gl::Current current(context_);
+    given_items_.reset();
     certified_items_.reset();
     drawn_items_.reset();
     gpu_.reset();
@@ -41,19 +42,29 @@ void OpenGlEngines::render_hybrid(const World& world, const View& view, const Se
 }
 
 void OpenGlEngines::render_gpu(const World& world, const View& view, const Settings& settings,
-    Tasks& tasks, Film& film, Stats& stats, gl::GpuItems* items, const ShadowMaps* maps)
+    Tasks& tasks, Film& film, Stats& stats)
 {
     const gl::Current current(context_);
     if (!gpu_) gpu_.emplace(context_);
-    if (!items && settings.multisample == Multisample::exact) {
+    if (settings.multisample == Multisample::exact) {
         if (!certified_items_) certified_items_.emplace(context_);
-        items = &*certified_items_;
-    } else if (!items) {
+        gpu_->render(world, view, settings, *certified_items_, tasks, film, stats);
+        stats.uncertain_samples += certified_items_->take_uncertain();
+    } else {
         if (!drawn_items_) drawn_items_.emplace(context_);
-        items = &*drawn_items_;
+        gpu_->render(world, view, settings, *drawn_items_, tasks, film, stats);
     }
-    gpu_->render(world, view, settings, *items, tasks, film, stats, maps);
-    if (certified_items_) stats.uncertain_samples += certified_items_->take_uncertain();
+}
+
+void OpenGlEngines::render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
+    const World& world, const View& view, const Settings& settings, Tasks& tasks, Film& film,
+    Stats& stats)
+{
+    const gl::Current current(context_);
+    if (!gpu_) gpu_.emplace(context_);
+    if (!given_items_) given_items_.emplace();
+    given_items_->set(items);
+    gpu_->render(world, view, settings, *given_items_, tasks, film, stats, maps);
 }
 
 } // namespace firsthit

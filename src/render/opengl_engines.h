@@ -6,13 +6,16 @@
 #include "gl/certified_gpu_items.h"
 #include "gl/context.h"
 #include "gl/drawn_items.h"
+#include "gl/given_items.h"
 #include "gl/gpu_frame.h"
 #include "gl/hybrid_items.h"
 #include "gl/hybrid_maps.h"
 
 #include <firsthit/render.h>
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace firsthit {
@@ -33,9 +36,16 @@ class OpenGlEngines {
         FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats);
 
     /// gl/gpu_frame.h
-    /// maps  of the cpu engine, to be used instead of drawing them; or null
     void render_gpu(const World& world, const View& view, const Settings& settings, Tasks& tasks,
-        Film& film, Stats& stats, gl::GpuItems* items = nullptr, const ShadowMaps* maps = nullptr);
+        Film& film, Stats& stats);
+
+    /// The same with items and maps of the cpu engine, for pictures that are made at once: their
+    /// sides have at most gl::GpuFrame::kPartSide samples.
+    /// items  (height, width) of the samples of the view's region
+    /// maps   null: they are drawn
+    void render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
+        const World& world, const View& view, const Settings& settings, Tasks& tasks, Film& film,
+        Stats& stats);
 
   private:
     /// The members make the context current by themselves.
@@ -55,6 +65,7 @@ class OpenGlEngines {
     std::optional<gl::GpuFrame> gpu_;
     std::optional<gl::DrawnItems> drawn_items_;
     std::optional<gl::CertifiedGpuItems> certified_items_;
+    std::optional<gl::GivenItems> given_items_;
 };
 
 } // namespace firsthit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpu/frame.h"
+#include "gl/given_items.h"
 #include "gl/gl_context.h"
 #include "gl/gpu_frame.h"
 #include "render/check_settings.h"
@@ -18,24 +19,6 @@
 #include <vector>
 
 namespace firsthit::test {
-
-/// A picture of items that was made elsewhere, for views without parts.
-class GivenItems : public gl::GpuItems {
-  public:
-    std::vector<std::uint32_t> item;
-
-    gl::ItemTexture draw(const World&, const Pencil& pencil, const Settings&,
-        const gl::SceneBuffers&, Tasks&) override
-    {
-        texture_.resize(GL_R32UI, pencil.width, pencil.height);
-        glTextureSubImage2D(texture_.name(), 0, 0, 0, pencil.width, pencil.height, GL_RED_INTEGER,
-            GL_UNSIGNED_INT, item.data());
-        return {texture_.name(), ItemFormat::r32ui};
-    }
-
-  private:
-    gl::Texture2D texture_;
-};
 
 /// The cpu engine's picture, with all that it was made of.
 struct CpuPicture {
@@ -114,9 +97,10 @@ class OnGpu : public OnContext {
     void render_gpu(gl::GpuFrame& frame, const ShadowMaps* maps = nullptr)
     {
         item = cpu_items(world, view, settings.samples);
-        GivenItems items;
-        items.item = item;
-        if (change_items) change_items(items.item);
+        std::vector<std::uint32_t> changed = item;
+        if (change_items) change_items(changed);
+        gl::GivenItems items;
+        items.set(changed);
         stats = {};
         frame.render(world, checked(view), settings, items, tasks, gpu_film, stats, maps);
     }

@@ -6,6 +6,7 @@
 
 layout(binding = 2) uniform sampler2D colors; // alpha 0: a hole
 layout(location = 0) out vec4 color_out;
+layout(std430, binding = 7) buffer Filled { uint filled; }; // holes that got a colour
 
 const int kReach = 16;
 
@@ -36,4 +37,5 @@ void main()
     if (color_out.a > 0.0 && is_shot(at)) return;
     vec4 sum = color_around(at);
     color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) : vec4(color_out.rgb, 0.0);
+    if (sum.a > 0.0) atomicAdd(filled, 1u);
 }
