@@ -88,6 +88,7 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
     int /*samples*/, ViewMemory& memory, Tasks& tasks)
 {
     thread_.wait(); // where the last frame was given up
+    check_triangles(settings_.item_format, world.scene->index.size());
     memory.index = world.scene->index;
     memory.in_view_count = memory.entry_count = 0; // nothing is binned
     order_ = {&world, memory.pencil, {}, {}};
