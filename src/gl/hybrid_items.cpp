@@ -119,7 +119,12 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
         return true;
     }
     thread_.start([this] { draw_and_read(); });
-    if (!projects_first) project_vertices(world.position, memory, tasks);
+    try {
+        if (!projects_first) project_vertices(world.position, memory, tasks);
+    } catch (...) {
+        thread_.wait(); // it looks at the world
+        throw;
+    }
     Stopwatch watch;
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return drawn_; }); // the world is not looked at any more
