@@ -86,6 +86,7 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
     int /*samples*/, ViewMemory& memory, Tasks& tasks)
 {
     thread_.wait(); // where the last frame was given up
+    check_triangles(settings_.item_format, world.scene->index.size());
     memory.index = world.scene->index;
     memory.in_view_count = memory.entry_count = 0; // nothing is binned
     order_ = {&world, memory.pencil, {}};
@@ -119,7 +120,12 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
         return true;
     }
     thread_.start([this] { draw_and_read(); });
-    if (!projects_first) project_vertices(world.position, memory, tasks);
+    try {
+        if (!projects_first) project_vertices(world.position, memory, tasks);
+    } catch (...) {
+        thread_.wait(); // it looks at the world
+        throw;
+    }
     Stopwatch watch;
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return drawn_; }); // the world is not looked at any more

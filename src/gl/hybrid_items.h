@@ -47,7 +47,8 @@ class HybridItems final : public ItemSource {
     /// .readback and .readback_chunks.
     void set(const Settings& settings);
 
-    /// throws  ArgumentError, DeviceError: as SceneBuffers and ItemPass
+    /// throws  ArgumentError: more triangles than the item format holds
+    ///         DeviceError: as SceneBuffers and ItemPass
     bool start(const World& world, const View& view, const Region& part, int samples,
         ViewMemory& memory, Tasks& tasks) override;
     std::size_t wait(const ViewMemory& memory) override;
