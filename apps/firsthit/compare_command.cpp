@@ -1,6 +1,9 @@
-// compare_command.cpp - `firsthit compare`: holds items and shadows against another ray caster.
+// compare_command.cpp - `firsthit compare`: holds items and shadows against another ray caster, or an
+// engine on OpenGL against the cpu engine.
 #include "compare_command.h"
 
+#include "engine_report.h"
+#include "light_options.h"
 #include "output.h"
 #include "parse.h"
 #include "progress.h"
@@ -20,6 +23,7 @@ constexpr const char* kExamples = R"(Examples:
   firsthit compare Robot.aff --against embree --time 10
   firsthit compare builtin:robots --against embree --frames 0:9:10 --json
   firsthit compare builtin:robots --against brute --shadows exact --size 256x256
+  firsthit compare builtin:robots --engine hybrid --against cpu --multisample none
 
 Where two casters disagree, exact arithmetic settles who is right: "ties" are different triangles at
 exactly the same depth. --json prints one object, summed over the frames:
@@ -27,20 +31,24 @@ exactly the same depth. --json prints one object, summed over the frames:
 --shadows exact also asks for every hit and light whether the light reaches the hit ("lit_pixels" are
 hits times lights); brute force over all triangles settles who is right:
   {..., "lit_pixels", "lit_agree", "lit_ours_wrong", "lit_theirs_wrong"}
-Exit codes: 0 done and nothing of ours is wrong, 1 failed or something is, 2 wrong usage.)";
+--against cpu holds an engine on OpenGL against the cpu engine, items and pictures, summed over the
+frames:
+  {"pixels", "missed", "wrong", "ties", "interpolated", "psnr_db", "largest_difference", "device"}
+"missed" are pixels where only the cpu engine sees a triangle, "wrong" those where the engine sees
+one that is not the cpu engine's. Pictures are compared by displayed values, 0 to 1 (sRGB); psnr_db
+is null where they are equal. --engine gpu adds "psnr_same_items_db": the picture that it makes of the
+cpu engine's items and shadow maps. --shadows none, map (default) or exact is for both engines.
+Exit codes: 0 done and nothing of ours is wrong, 1 failed or something is, 2 wrong usage. Of engines
+on OpenGL only --multisample exact can be wrong.)";
 
-Oracle parse_oracle(const std::string& text)
+/// Nothing: the cpu engine.
+std::optional<Oracle> parse_oracle(const std::string& text)
 {
     if (text == "brute") return Oracle::brute;
     if (text == "embree") return Oracle::embree;
-    throw UsageError(fmt::format("'{}' is no ray caster: accepted are brute and embree", text));
-}
-
-bool parse_lit(const std::string& text)
-{
-    if (text == "none") return false;
-    if (text == "exact") return true;
-    throw UsageError(fmt::format("'{}' cannot be compared: accepted are none and exact", text));
+    if (text == "cpu") return std::nullopt;
+    throw UsageError(
+        fmt::format("'{}' cannot be compared with: accepted are brute, embree and cpu", text));
 }
 
 /// The picture cut into bands, so that slow work shows how far it is. Brute force takes as long in
@@ -48,7 +56,7 @@ bool parse_lit(const std::string& text)
 std::vector<Region> bands(const CompareOptions& options)
 {
     const Size size = options.camera.size;
-    const int count = options.oracle == Oracle::brute ? std::min(size.height, 16) : 1;
+    const int count = options.oracle != Oracle::embree ? std::min(size.height, 16) : 1;
     std::vector<Region> regions;
     for (int k = 0; k < count; ++k) {
         const int y = static_cast<int>(std::int64_t(size.height) * k / count);
@@ -63,23 +71,47 @@ std::vector<Region> bands(const CompareOptions& options)
 void add_compare_options(CLI::App& app, CompareOptions& options)
 {
     add_scene_options(app, options.scene);
-    add_parsed(app, "--against", options.oracle, parse_oracle, "brute|embree",
-        "brute: every triangle for every pixel with exact arithmetic; embree: Embree 3, robust")
+    add_parsed(app, "--against", options.oracle, parse_oracle, "brute|embree|cpu",
+        "brute: every triangle for every pixel with exact arithmetic; embree: Embree 3, robust; "
+        "cpu: the cpu engine, for --engine hybrid or gpu")
         ->required();
-    add_parsed(app, "--shadows", options.shadows, parse_lit, "none|exact",
-        "exact: compare which lights reach the hits, too; default none");
+    add_parsed(app, "--engine", options.engine.engine, parse_engine, "cpu|hybrid|gpu",
+        "Whose picture is compared; default cpu");
+    add_parsed(app, "--shadows", options.shadows, parse_shadows, "none|map|exact",
+        "With brute and embree, exact: compare which lights reach the hits, too; default none. "
+        "With cpu: the pictures' shadows; default map");
     CLI::Option* time = add_parsed(app, "--time", options.time_s, parse_number, "S",
         "Seconds; default the begin of the scene's animation");
     add_parsed(app, "--frames", options.frames, parse_frames, "A:B:N",
         "N frames from time A to time B, both included; counts are summed")
         ->excludes(time);
     add_camera_options(app, options.camera);
+    add_engine_options(app, options.engine);
     add_parsed(
         app, "--threads", options.threads,
         [](const std::string& text) { return parse_integer(text, 0, 1024); }, "N",
         "Threads, 0 to 1024; default 0: one for each core");
     app.add_flag("--json", options.json, "Print one JSON object");
     app.footer(kExamples);
+}
+
+void check(const CompareOptions& options)
+{
+    const Engine engine = options.engine.engine;
+    if (options.oracle) {
+        if (engine != Engine::cpu)
+            throw UsageError(
+                fmt::format("--engine {} is compared with --against cpu", engine_name(engine)));
+        if (options.shadows == Shadows::map)
+            throw UsageError("--shadows: 'map' cannot be compared: accepted are none and exact");
+        return;
+    }
+    if (engine != Engine::hybrid && engine != Engine::gpu)
+        throw UsageError(fmt::format(
+            "--against cpu needs an engine on OpenGL, not {}: say --engine hybrid or --engine gpu",
+            engine_name(engine)));
+    if (engine == Engine::gpu && options.shadows == Shadows::exact)
+        throw UsageError("--engine gpu has no exact shadows: accepted are none and map");
 }
 
 Comparison operator+(const Comparison& a, const Comparison& b)
@@ -135,18 +167,23 @@ std::string comparison_text(const Comparison& comparison, const std::optional<Li
     return text;
 }
 
-int run_compare(const CompareOptions& options)
+namespace {
+
+std::vector<double> times_of(const CompareOptions& options, const Scene& scene)
 {
-    const Scene scene = load(options.scene);
-    const std::vector<double> times =
-        options.frames.empty() ? std::vector<double>{options.time_s.value_or(scene.begin_s)}
-                               : options.frames;
+    return options.frames.empty() ? std::vector<double>{options.time_s.value_or(scene.begin_s)}
+                                  : options.frames;
+}
+
+int compare_with_oracle(const CompareOptions& options, const Scene& scene)
+{
+    const std::vector<double> times = times_of(options, scene);
     const std::vector<Region> regions = bands(options);
     ViewMaker views(options.camera);
     World world;
     Comparison sum;
     std::optional<LitComparison> lit;
-    if (options.shadows) lit.emplace();
+    if (options.shadows == Shadows::exact) lit.emplace();
     {
         Progress progress("compared", times.size() * regions.size());
         for (const double time_s : times) {
@@ -154,14 +191,47 @@ int run_compare(const CompareOptions& options)
             View view = views.view(world);
             for (const Region& region : regions) {
                 view.region = region;
-                sum = sum + compare(world, view, options.oracle, options.threads);
-                if (lit) lit = *lit + compare_lit(world, view, options.oracle, options.threads);
+                sum = sum + compare(world, view, *options.oracle, options.threads);
+                if (lit) lit = *lit + compare_lit(world, view, *options.oracle, options.threads);
                 progress.advance();
             }
         }
     }
     print(options.json ? to_text(comparison_json(sum, lit)) : comparison_text(sum, lit));
     return sum.ours_wrong + (lit ? lit->ours_wrong : 0) == 0 ? kExitDone : kExitFailed;
+}
+
+int compare_with_cpu(const CompareOptions& options, const Scene& scene)
+{
+    Settings settings;
+    settings.shadows = options.shadows;
+    apply(options.engine, settings);
+    const std::vector<double> times = times_of(options, scene);
+    ViewMaker views(options.camera);
+    EngineComparer comparer(options.threads);
+    World world;
+    EngineComparison sum;
+    {
+        Progress progress("compared", times.size());
+        for (const double time_s : times) {
+            pose(scene, time_s, world);
+            sum = sum + comparer.compare(world, views.view(world), settings);
+            progress.advance();
+        }
+    }
+    print(options.json ? to_text(engine_comparison_json(sum, comparer.device()))
+                       : engine_comparison_text(sum, comparer.device()));
+    const bool wrong = sum.missed + sum.wrong > 0;
+    return wrong && settings.multisample == Multisample::exact ? kExitFailed : kExitDone;
+}
+
+} // namespace
+
+int run_compare(const CompareOptions& options)
+{
+    check(options);
+    const Scene scene = load(options.scene);
+    return options.oracle ? compare_with_oracle(options, scene) : compare_with_cpu(options, scene);
 }
 
 } // namespace firsthit::cli

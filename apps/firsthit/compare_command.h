@@ -1,7 +1,9 @@
-// compare_command.h - `firsthit compare`: holds items and shadows against another ray caster.
+// compare_command.h - `firsthit compare`: holds items and shadows against another ray caster, or an
+// engine on OpenGL against the cpu engine.
 #pragma once
 
 #include "camera_options.h"
+#include "engine_options.h"
 #include "json.h"
 #include "scene_options.h"
 
@@ -18,15 +20,19 @@ namespace firsthit::cli {
 struct CompareOptions {
     SceneOptions scene;
     CameraOptions camera;
-    Oracle oracle = Oracle::brute;
-    std::optional<double> time_s; // none: the scene's begin
-    std::vector<double> frames;   // times; empty: one comparison at time_s
-    bool shadows = false;         // compare which lights reach the hits, too
+    std::optional<Oracle> oracle; // none: the cpu engine
+    EngineOptions engine;
+    std::optional<double> time_s;         // none: the scene's begin
+    std::vector<double> frames;           // times; empty: one comparison at time_s
+    Shadows shadows = Shadows::automatic; // of pictures; exact: lights are compared with oracles
     int threads = 0;
     bool json = false;
 };
 
 void add_compare_options(CLI::App& app, CompareOptions& options);
+
+/// throws  UsageError: an engine or shadows that cannot be compared with what was asked for
+void check(const CompareOptions& options);
 
 Comparison operator+(const Comparison& a, const Comparison& b);
 
@@ -36,7 +42,7 @@ LitComparison operator+(const LitComparison& a, const LitComparison& b);
 Json comparison_json(const Comparison& comparison, const std::optional<LitComparison>& lit);
 std::string comparison_text(const Comparison& comparison, const std::optional<LitComparison>& lit);
 
-/// returns  an exit code: 0 only where ours is wrong nowhere
+/// returns  an exit code: 0 only where ours is wrong nowhere; of engines that are not exact always 0
 int run_compare(const CompareOptions& options);
 
 } // namespace firsthit::cli
