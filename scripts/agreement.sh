@@ -26,11 +26,11 @@ row()
     shift 3
     json=$("$program" compare "${scenes[$k]}" --time "${times[$k]}" --size "$size" --against cpu \
         --engine "$engine" --json "$@") || [ -n "$json" ]
-    jq -r --arg scene "${names[$k]}" --arg label "$label" --arg engine "$engine" '
+    jq -r --arg scene "${names[$k]}" --arg options "$label" --arg engine "$engine" '
         def decibels: if . == null then "equal" else (. * 10 | round / 10 | tostring) end;
-        def share: "\(.) (\(. / $all * 1e6 | round / 1e4) %)";
+        def share($all): "\(.) (\(. / $all * 1e6 | round / 1e4) %)";
         .pixels as $all
-        | "| \($scene) | \($engine) | \($label) | \(.missed | share) | \(.wrong | share) | \(.ties) |"
+        | "| \($scene) | \($engine) | \($options) | \(.missed | share($all)) | \(.wrong | share($all)) | \(.ties) |"
         + " \(.interpolated) | \(.psnr_db | decibels) | \(.largest_difference * 1e4 | round / 1e4) |"
         + (if has("psnr_same_items_db") then " \(.psnr_same_items_db | decibels) |" else " |" end)
     ' <<<"$json"

@@ -115,6 +115,19 @@ expect 0 '"pixels": 512' compare builtin:torus --against brute --size 16x16 --fr
 [ ! -s stderr ] || fail "a progress bar in a pipe"
 
 expect 0 '"lit_ours_wrong": 0' compare builtin:robots --against brute --size 32x32 --shadows exact --json
+# Where there is an OpenGL.
+if "$program" compare builtin:torus --against cpu --engine gpu --size 16x16 >stdout 2>stderr; then
+    expect 0 'PSNR, same items' compare builtin:torus --against cpu --engine gpu --size 32x32
+    expect 0 '"missed": 0' compare builtin:torus --against cpu --engine hybrid --multisample exact \
+        --size 40x30 --frames 0:1:2 --json
+    grep -q '"pixels": 2400,' stdout || fail "compare --against cpu counts other pixels than 2 x 40x30"
+    expect 0 '"interpolated": 0' compare builtin:torus --against cpu --engine gpu --size 40x30 \
+        --multisample none --no-interpolate --item-format rgba8 --depth-format fixed24 --json
+else
+    echo "skipped: comparing engines: $(head -n 1 stderr)"
+    grep -q OpenGL stderr || fail "compare --against cpu fails without a word about OpenGL: $(cat stderr)"
+fi
+
 expect 0 'lit theirs wrong +[0-9]+$' compare builtin:torus --against embree --size 32x32 --shadows exact
 
 # Points: the middle of the torus's hole, inside of its tube, above it, and no number.
@@ -213,7 +226,9 @@ expect 2 'NAME=FILE' render builtin:torus --aov depth
 expect 2 'written twice' render builtin:torus -o a.exr --aov depth=a.exr
 expect 2 '--against' compare builtin:torus
 expect 2 'accepted are none and exact' compare builtin:torus --against brute --shadows map
-expect 2 'accepted are brute and embree' compare builtin:torus --against guessing
+expect 2 'accepted are brute, embree and cpu' compare builtin:torus --against guessing
+expect 2 'needs an engine on OpenGL' compare builtin:torus --against cpu
+expect 2 'with --against cpu' compare builtin:torus --against brute --engine gpu
 expect_files
 
 # --- what fails -------------------------------------------------------------------------------

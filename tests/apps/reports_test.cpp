@@ -1,5 +1,6 @@
 // reports_test.cpp - tables and JSON, and the line of the progress bar.
 #include "compare_command.h"
+#include "engine_report.h"
 #include "info_command.h"
 #include "progress.h"
 #include "stats_report.h"
@@ -132,6 +133,53 @@ TEST(CompareReport, CountsAreSummed)
     const Comparison sum = a + a;
     EXPECT_EQ(sum.pixels, 2u);
     EXPECT_EQ(sum.theirs_wrong, 10u);
+}
+
+EngineComparison hybrid_comparison()
+{
+    EngineComparison comparison;
+    comparison.pixels = 100;
+    comparison.missed = 5;
+    comparison.wrong = 4;
+    comparison.ties = 3;
+    comparison.interpolated = 2;
+    comparison.square_sum = 0.3;
+    comparison.largest_difference = 0.25;
+    return comparison;
+}
+
+TEST(EngineReport, TheJsonHasEveryNumberInOrder)
+{
+    EngineComparison comparison = hybrid_comparison();
+    comparison.square_sum = 300; // 0 dB
+    EXPECT_EQ(engine_comparison_json(comparison, "pipe").dump(),
+        R"({"pixels":100,"missed":5,"wrong":4,"ties":3,"interpolated":2,"psnr_db":0.0,)"
+        R"("largest_difference":0.25,"device":"pipe"})");
+    comparison.square_sum_same_items = 300;
+    EXPECT_EQ(engine_comparison_json(comparison, "pipe")["psnr_same_items_db"], 0.0);
+}
+
+TEST(EngineReport, EqualPicturesHaveNoDecibels)
+{
+    EngineComparison comparison = hybrid_comparison();
+    comparison.square_sum = 0;
+    comparison.square_sum_same_items = 0;
+    const Json json = engine_comparison_json(comparison, "pipe");
+    EXPECT_TRUE(json["psnr_db"].is_null());
+    EXPECT_TRUE(json["psnr_same_items_db"].is_null());
+    EXPECT_TRUE(json.contains("psnr_same_items_db"));
+}
+
+TEST(EngineReport, TheTableHasSharesAndDecibels)
+{
+    EngineComparison comparison = hybrid_comparison();
+    const std::string table = engine_comparison_text(comparison, "pipe");
+    EXPECT_NE(table.find("missed                          5     5.0000 %\n"), std::string::npos)
+        << table;
+    EXPECT_NE(table.find("30.00 dB"), std::string::npos) << table;
+    EXPECT_EQ(table.find("same items"), std::string::npos) << table;
+    comparison.square_sum_same_items = 0;
+    EXPECT_NE(engine_comparison_text(comparison, "pipe").find("equal"), std::string::npos);
 }
 
 TEST(Progress, TheLineFillsUp)

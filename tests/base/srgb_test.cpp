@@ -76,5 +76,14 @@ TEST(Srgb, LinearValuesAreThoseOfTheStandard)
     EXPECT_NEAR(linear_from_srgb()[188], 0.5029f, 1e-4f) << "half the light";
 }
 
+TEST(Srgb, DisplayedValuesAreThoseOfTheStandard)
+{
+    EXPECT_DOUBLE_EQ(srgb_value(0.002f), 12.92 * double(0.002f)) << "the straight part";
+    EXPECT_NEAR(srgb_value(0.5f), 0.735357, 1e-6);
+    EXPECT_EQ(srgb_value(7), 1);
+    EXPECT_EQ(srgb_value(-1), 0);
+    EXPECT_EQ(srgb_value(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
 } // namespace
 } // namespace firsthit

@@ -97,5 +97,26 @@ TEST_F(GpuPasses, FindTheNeighbourWhereTheItemIsWrong)
     EXPECT_LT(wrong(Multisample::full5), missed / 50);
 }
 
+TEST_F(GpuPasses, CountThePixelsThatGetTheColoursAroundThem)
+{
+    load("builtin:torus");
+    settings.shadows = Shadows::none;
+    settings.multisample = Multisample::none;
+    gl::GpuFrame frame(*context);
+    render_gpu(frame);
+    const std::uint64_t before = stats.interpolated;
+    // Three samples get an item far from them.
+    change_items = [&](std::vector<std::uint32_t>& drawn) {
+        const std::size_t middle = std::size_t(view.width) * std::size_t(view.height / 2);
+        for (std::size_t k = 0; k < 3; ++k)
+            drawn[middle + 10 * k] = drawn[middle + std::size_t(view.width) / 5] + 500;
+    };
+    render_gpu(frame);
+    EXPECT_EQ(stats.interpolated, before + 3);
+    settings.interpolate = false;
+    render_gpu(frame);
+    EXPECT_EQ(stats.interpolated, 0u);
+}
+
 } // namespace
 } // namespace firsthit
