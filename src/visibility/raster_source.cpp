@@ -5,7 +5,23 @@
 #include "visibility/project.h"
 #include "visibility/raster_tile.h"
 
+#include <algorithm>
+
 namespace firsthit {
+namespace {
+
+/// Takes away what whole registers found beyond the picture: nobody shoots these rays.
+void clear_outside(const ViewMemory& memory, int tile, ItemTile& out)
+{
+    const int columns = memory.pencil.width - tile % memory.tiles_x * out.size;
+    const int rows = memory.pencil.height - tile / memory.tiles_x * out.size;
+    if (columns >= out.size && rows >= out.size) return;
+    for (int y = 0; y < out.size; ++y)
+        for (int x = y < rows ? std::min(columns, out.size) : 0; x < out.size; ++x)
+            out.item[std::size_t(out.column_offset[x] + out.row_offset[y])] = kNoItem;
+}
+
+} // namespace
 
 bool RasterSource::start(const World& world, const View& /*view*/, const Region& /*part*/,
     int /*samples*/, ViewMemory& memory, Tasks& tasks)
@@ -23,6 +39,7 @@ void RasterSource::tile(const ViewMemory& memory, int tile, ItemTile& out,
     std::span<std::uint64_t> /*holes*/, std::size_t /*worker*/)
 {
     raster_tile(memory, tile, out);
+    clear_outside(memory, tile, out);
 }
 
 } // namespace firsthit
