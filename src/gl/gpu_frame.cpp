@@ -6,10 +6,6 @@
 #include "hits/lattice.h"
 #include "hits/multisample.h"
 
-#include <firsthit/error.h>
-
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace firsthit::gl {
@@ -80,16 +76,6 @@ FrameData frame_data(const World& world, const Settings& settings, const Pencil&
     return data;
 }
 
-void bind_scene(const SceneBuffers& scene)
-{
-    scene.index().bind_storage(kIndex);
-    scene.eye().bind_storage(kEye);
-    scene.world().bind_storage(kWorld);
-    scene.normal().bind_storage(kNormal);
-    scene.material().bind_storage(kTriangleMaterial);
-    scene.uv().bind_storage(kUv);
-}
-
 /// The channels of its format.
 std::int32_t bind_items(const ItemTexture& items)
 {
@@ -105,15 +91,6 @@ GpuFrame::GpuFrame(const Context& context, bool count_invocations)
       scene_(context, Detail::surfaces),
       passes_(count_invocations)
 {
-    for (const GLenum limit :
-        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}) {
-        GLint blocks = 0;
-        glGetIntegerv(limit, &blocks);
-        if (blocks < kStorageBlocks)
-            throw DeviceError(fmt::format("OpenGL: the gpu engine needs {} storage blocks, there "
-                                          "are {} ({})",
-                kStorageBlocks, blocks, driver_name()));
-    }
 }
 
 /// Since the last call. A software driver does its work when it is waited for: with hardware, the
@@ -157,7 +134,7 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     data.has_uv = scene_.has_uv();
     data.item_channels = bind_items(items);
     passes_.start(data);
-    bind_scene(scene_);
+    scene_textures_.bind(scene_);
     materials_.bind();
     const bool masked = job.settings.opengl.passes == GpuPasses::multi;
     const bool stored = masked || part.planes;

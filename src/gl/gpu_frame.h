@@ -12,6 +12,7 @@
 #include "gl/material_buffers.h"
 #include "gl/sample_passes.h"
 #include "gl/scene_buffers.h"
+#include "gl/scene_textures.h"
 
 #include <firsthit/film.h>
 #include <firsthit/render.h>
@@ -24,7 +25,7 @@ namespace firsthit::gl {
 /// sizes have settled. To be made, used and deleted with its context current.
 class GpuFrame {
   public:
-    /// throws  DeviceError: a shader does not compile, or the driver has too few storage blocks
+    /// throws  DeviceError: see link_program
     explicit GpuFrame(const Context& context, bool count_invocations = false);
 
     /// Renders the view's region into the film and adds to the statistics. `settings` and `view`
@@ -54,6 +55,7 @@ class GpuFrame {
 
     const Context& context_;
     SceneBuffers scene_;
+    SceneTextures scene_textures_;
     MaterialBuffers materials_;
     GpuShadows shadows_;
     SamplePasses passes_;

@@ -16,7 +16,7 @@ void GpuShadows::upload_tables(
     map_table_.assign(std::span<const MapData>(map_data_));
     lights_.bind_storage(kLights);
     map_table_.bind_storage(kMaps);
-    if (!maps.empty()) texels_.bind(kMapDepth);
+    if (!maps.empty()) texels_.bind_texels();
 }
 
 void GpuShadows::set_lights(const World& world, const SampleFrame& frame)
@@ -49,8 +49,8 @@ void GpuShadows::update_maps(const World& world, const Settings& settings,
     }
     texels_.lay_out(maps_.light, max_storage_bytes);
     for (const std::size_t k : changed_)
-        depth_pass_.draw(world, {scene.world().name(), scene.index().name(), scene.triangles()},
-            int(k % kFaces), maps_.light[k / kFaces].map[k % kFaces], texels_.first()[k], texels_);
+        depth_pass_.draw(world, scene, int(k % kFaces), maps_.light[k / kFaces].map[k % kFaces],
+            texels_.first()[k], texels_);
     updates_ += changed_.size();
     complete_ = true;
     upload_tables(world, frame, maps_.light, settings.shadow_filter);

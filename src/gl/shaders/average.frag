@@ -1,6 +1,6 @@
 // average.frag - a pixel's colour: the mean of its N x N samples, of those that were found.
 
-layout(binding = 2) uniform sampler2D colors;
+layout(binding = 3) uniform sampler2D colors;
 layout(location = 0) uniform int samples; // N
 layout(location = 0) out vec4 color_out;
 

@@ -4,7 +4,7 @@
 // source  Robert and Schoepke 2006, section 4.1
 #include "frame.glsl"
 
-layout(binding = 2) uniform sampler2D colors; // alpha 0: a hole
+layout(binding = 3) uniform sampler2D colors; // alpha 0: a hole
 layout(location = 0) out vec4 color_out;
 
 const int kReach = 16;

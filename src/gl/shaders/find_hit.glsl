@@ -23,7 +23,7 @@ bool is_hit(Hit hit)
 
 #ifdef FIRSTHIT_STORED_HITS
 
-layout(binding = 1) uniform usampler2D hits;
+layout(binding = 2) uniform usampler2D hits;
 
 Hit find_hit(ivec2 sample_at)
 {

@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 /// (lights, 6 faces): least x and y, as the greatest of their opposite; greatest x and y; hits.
 const int kNumbers = 5;
-layout(std430, binding = 7) buffer Bounds { uint bounds[]; };
+layout(std430, binding = 0) buffer Bounds { uint bounds[]; };
 
 shared uint block_bounds[kFaces * kNumbers];
 shared uint block_hits, block_nearest, block_farthest;

@@ -3,7 +3,7 @@
 const uint kNoItem = 0xFFFFFFFFu; // background
 
 layout(binding = 0) uniform usampler2D items;
-layout(binding = 3) uniform sampler2D item_colors; // the paper's codings, red the lowest byte
+layout(binding = 1) uniform sampler2D item_colors; // the paper's codings, red the lowest byte
 
 uint item_at(ivec2 sample_at)
 {

@@ -46,7 +46,7 @@ struct MapData {
     int unused0, unused1, unused2;
 };
 
-layout(std430, binding = 8) readonly buffer Lights { LightData light_data[]; };
+layout(std430, binding = 1) readonly buffer Lights { LightData light_data[]; };
 
 vec3 transform_ray(RayTransform to, vec3 eye_d, float t)
 {
