@@ -9,14 +9,13 @@ namespace firsthit::gl {
 /// The uniform block of frame.glsl.
 inline constexpr GLuint kFrame = 0;
 
-/// Storage blocks.
+/// Storage blocks; lights and maps are uniform blocks where they are few.
 inline constexpr GLuint kResult = 0; // what a pass writes
 inline constexpr GLuint kLights = 1;
 inline constexpr GLuint kMaps = 2;
 
 /// Texture units: pictures.
 inline constexpr GLuint kItemsUnit = 0;
-inline constexpr GLuint kItemColorsUnit = 1;
 inline constexpr GLuint kHitsUnit = 2;
 inline constexpr GLuint kColorsUnit = 3;
 inline constexpr GLuint kDepthUnit = 4;

@@ -50,7 +50,7 @@ HitTest hit_test(Multisample multisample)
 }
 
 FrameData frame_data(const World& world, const Settings& settings, const Pencil& pencil,
-    const SampleFrame& frame, const Region& part, bool shadows)
+    const SampleFrame& frame, const Region& part)
 {
     const glm::mat3& axes = frame.world_from_eye;
     FrameData data{.eye = frame.eye,
@@ -62,26 +62,21 @@ FrameData frame_data(const World& world, const Settings& settings, const Pencil&
         .forward = axes[2],
         .lights = std::int32_t(world.lights.size()),
         .background = world.scene->background,
-        .test = hit_test(settings.multisample),
         .ambient = world.scene->ambient,
         .reach = reach_of(settings.multisample),
         .size = {pencil.width, pencil.height},
         .corner = {part.x, part.y},
         .triangles = std::uint32_t(world.scene->index.size()),
         .interleave = settings.interleave,
-        .shadow_maps = shadows,
         .filter = settings.shadow_filter,
         .bias = float(settings.shadow_bias),
         .interleave_shift = Lattice(settings.interleave).shift()};
     return data;
 }
 
-/// The channels of its format.
-std::int32_t bind_items(const ItemTexture& items)
+int channels_of(ItemFormat format)
 {
-    const bool integers = items.format == ItemFormat::r32ui;
-    glBindTextureUnit(integers ? kItemsUnit : kItemColorsUnit, items.name);
-    return integers ? 1 : items.format == ItemFormat::rgb8 ? 3 : 4;
+    return format == ItemFormat::r32ui ? 1 : format == ItemFormat::rgb8 ? 3 : 4;
 }
 
 } // namespace
@@ -129,11 +124,14 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     job.stats.raster_ms += stage_ms();
 
     // Where exactly?
-    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels, job.shadows);
+    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels);
     if (!part.color) data.interleave = 1;
-    data.has_uv = scene_.has_uv();
-    data.item_channels = bind_items(items);
-    passes_.start(data);
+    passes_.start(data, {.test = hit_test(job.settings.multisample),
+                            .item_channels = channels_of(items.format),
+                            .shadow_maps = job.shadows,
+                            .textures = scene_.has_uv(),
+                            .few_lights = job.world.lights.size() <= kFewLights});
+    glBindTextureUnit(kItemsUnit, items.name);
     scene_textures_.bind(scene_);
     materials_.bind();
     const bool masked = job.settings.opengl.passes == GpuPasses::multi;

@@ -11,19 +11,18 @@ layout(std140, binding = 0) uniform Frame
     vec3 forward;
     int lights;
     vec3 background;
-    int test; // how the item is repaired, see find_hit
+    int unused0;
     vec3 ambient;
     int reach; // neighbours on each side that are tried
     ivec2 size; // of the part, samples
     ivec2 corner; // the part's first sample, in the picture
     uint triangles;
     int interleave; // every so-many-th sample of a row is shot
-    int has_uv;
-    int shadow_maps; // 0: every light reaches everything
+    int unused1;
+    int unused2;
     int filter_size; // N: N x N texels are compared
     float bias; // of maps
     int interleave_shift; // from row to row
-    int item_channels; // 1: integers; 3, 4: colours
 } frame;
 
 /// Whether the sample's ray is shot, or its colour comes from its neighbours.

@@ -2,7 +2,11 @@
 //
 // source  Robert and Schoepke 2006, section 4.2.1; Reeves, Salesin and Cook 1987 (N x N)
 
+#if FIRSTHIT_FEW_LIGHTS
+layout(std140, binding = 2) uniform Maps { MapData map_data[kFaces * FIRSTHIT_FEW_LIGHTS]; };
+#else
 layout(std430, binding = 2) readonly buffer Maps { MapData map_data[]; };
+#endif
 layout(binding = 13) uniform samplerBuffer map_depth;
 
 const float kRounding = 9.5367431640625e-7; // 2^-20

@@ -60,7 +60,8 @@ Surface find_surface(ivec2 sample_at, Hit hit)
     surface.material = triangle_material(hit.item);
     surface.uv = vec2(0.0);
     surface.footprint2 = 0.0;
-    if (frame.has_uv != 0) {
+#if FIRSTHIT_TEXTURES
+    {
         vec2 uv0 = vertex_uv(corner.x);
         vec2 uv1 = vertex_uv(corner.y) - uv0;
         vec2 uv2 = vertex_uv(corner.z) - uv0;
@@ -71,5 +72,6 @@ Surface find_surface(ivec2 sample_at, Hit hit)
             surface.footprint2 =
                 surface_footprint2(corner, hit, uv1, uv2, uv, texture_size(texture_id));
     }
+#endif
     return surface;
 }
