@@ -81,10 +81,11 @@ int channels_of(ItemFormat format)
 
 } // namespace
 
-GpuFrame::GpuFrame(const Context& context, bool count_invocations)
+GpuFrame::GpuFrame(const Context& context, const GpuOptions& options)
     : context_(context),
+      options_(options),
       scene_(context, Detail::surfaces),
-      passes_(count_invocations)
+      passes_(options.count_invocations)
 {
 }
 
@@ -188,7 +189,7 @@ void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
 
 void GpuFrame::render_pass(const Job& job, int samples, bool color, bool planes)
 {
-    const int side = std::min(kPartSide, context_.info().max_texture_size) / samples;
+    const int side = std::min(options_.part_side, context_.info().max_texture_size) / samples;
     const Region& all = job.view.region;
     for (int y = 0; y < all.height; y += side)
         for (int x = 0; x < all.width; x += side)

@@ -45,7 +45,7 @@ TEST_F(GpuPasses, RunNoShaderForMaskedSamples)
     load("builtin:torus");
     settings.shadows = Shadows::none;
     settings.opengl.passes = firsthit::GpuPasses::multi;
-    gl::GpuFrame frame(*context, true);
+    gl::GpuFrame frame(*context, {.count_invocations = true});
     render_gpu(frame);
     // One intersection and one shading for each sample with an item.
     EXPECT_EQ(frame.passes().take_invocations(), 2 * hits_of(item));
@@ -56,7 +56,7 @@ TEST_F(GpuPasses, RunTheSingleShaderForEverySample)
 {
     load("builtin:torus");
     settings.shadows = Shadows::none;
-    gl::GpuFrame frame(*context, true);
+    gl::GpuFrame frame(*context, {.count_invocations = true});
     render_gpu(frame);
     EXPECT_EQ(frame.passes().take_invocations(), item.size());
 }
@@ -67,7 +67,7 @@ TEST_F(GpuPasses, ShootOnlyWhereInterleavingSays)
     settings.shadows = Shadows::none;
     settings.interleave = 4;
     settings.opengl.passes = firsthit::GpuPasses::multi;
-    gl::GpuFrame frame(*context, true);
+    gl::GpuFrame frame(*context, {.count_invocations = true});
     render_gpu(frame);
     const auto share = double(frame.passes().take_invocations()) / double(2 * hits_of(item));
     EXPECT_NEAR(share, 0.25, 0.01);
