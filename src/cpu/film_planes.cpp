@@ -222,6 +222,15 @@ void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> 
 {
     const PixelRect rect = pixels_of(place);
     const bool any = has_holes(place);
+    if (any && place.samples == 1) {
+        for_quads(
+            rect, film_width, place.view.tile_size, [&](std::size_t pixel, int offset, auto count) {
+                const std::uint64_t bits =
+                    place.holes[std::size_t(offset) / kBlockSamples] >> offset % kBlockSamples;
+                for (int k = 0; k < count; ++k) mask[pixel + std::size_t(k)] = bits >> k & 1;
+            });
+        return;
+    }
     for (int y = 0; y < rect.height; ++y) {
         std::uint8_t* row = mask.data() + std::size_t(rect.film_y + y) * std::size_t(film_width) +
                             std::size_t(rect.film_x);

@@ -42,7 +42,7 @@ std::uint64_t keep_lattice(
 
 std::uint64_t interpolate_holes(const HoleMemory& memory, Tasks& tasks, Film& film)
 {
-    constexpr std::size_t kRows = 16; // of a task
+    constexpr std::size_t kRows = 32; // of a task
     const HolePicture picture{film.width, film.height, memory.pixel.span(), film.color.value};
     std::atomic<std::uint64_t> filled{0};
     tasks.for_ranges(std::size_t(film.height), kRows, [&](std::size_t first, std::size_t last) {

@@ -18,8 +18,8 @@ inline constexpr int kFillReach = 16;
 
 /// Gives each hole in the rows [first, last) the mean colour of the pixels that are no holes in the
 /// smallest window around it (3 x 3, 5 x 5, ...) that has any, weighted by 1 / distance^2. A hole
-/// farther than kFillReach from all of them keeps its colour. Holes neither read nor write each
-/// other: rows may be filled in any order, or at once.
+/// farther than kFillReach from all of them keeps its colour. No hole's colour
+/// depends on another's: ranges may be filled in any order, or at once, with the same bits.
 ///
 /// returns  the number of holes that were filled
 /// source   Robert and Schoepke 2006, section 4.1 (interpolation of what is not found)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -119,6 +120,15 @@ ContextInfo read_info(const char* platform, bool resets)
     return info;
 }
 
+/// Software drivers allocate and free tens of megabytes a frame. glibc gives such memory back at
+/// once and has its pages made anew (4.5 of 15 ms for 73,292 triangles at 1024x1024), unless it has
+/// seen a block of that size come and go.
+void keep_freed_memory()
+{
+    void* volatile block = std::malloc(std::size_t(30) << 20); // glibc learns up to 32 MiB
+    std::free(block);
+}
+
 const char* error_name(GLenum error)
 {
     switch (error) {
@@ -206,6 +216,7 @@ bool Context::open(void* display, const char* platform)
             kMajor, kMinor, instead, error));
     const Current current(*this);
     info_ = read_info(platform, resets);
+    if (!info_.hardware) keep_freed_memory();
     return true;
 }
 

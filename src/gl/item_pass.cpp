@@ -47,6 +47,14 @@ std::uint64_t most_triangles(ItemFormat format)
     return (std::uint64_t(1) << (format == ItemFormat::rgb8 ? 24 : 32)) - 1;
 }
 
+void check_triangles(ItemFormat format, std::uint64_t triangles)
+{
+    if (triangles > most_triangles(format))
+        throw ArgumentError(
+            fmt::format("{} triangles are too many for the item format {}: it holds {}", triangles,
+                name_of(format), most_triangles(format)));
+}
+
 PixelLayout pixel_layout(ItemFormat format)
 {
     if (format == ItemFormat::r32ui) return {};
@@ -92,10 +100,7 @@ void ItemPass::make_target(GLenum format, GLenum depth_format)
 void ItemPass::draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat format,
     DepthFormat depth, const DepthRange& range)
 {
-    if (scene.triangles() > most_triangles(format))
-        throw ArgumentError(
-            fmt::format("{} triangles are too many for the item format {}: it holds {}",
-                scene.triangles(), name_of(format), most_triangles(format)));
+    check_triangles(format, scene.triangles());
     if (pencil.parallel) throw ArgumentError("items are drawn for rays through an eye only");
     if (std::max(pencil.width, pencil.height) > limits_.max_texture_size)
         throw DeviceError(fmt::format("OpenGL: {}x{} samples are too many at once, {} on a side "

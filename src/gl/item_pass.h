@@ -16,6 +16,9 @@ namespace firsthit::gl {
 /// Triangles that a format can tell apart from none.
 std::uint64_t most_triangles(ItemFormat format);
 
+/// throws  ArgumentError: more triangles than the format can tell apart
+void check_triangles(ItemFormat format, std::uint64_t triangles);
+
 /// What glReadPixels is to be asked for, 4 bytes a pixel in every format.
 struct PixelLayout {
     GLenum format = GL_RED_INTEGER;

@@ -1,6 +1,7 @@
 // item_readback.h - items from OpenGL to host memory, at once or in chunks.
 #pragma once
 
+#include "base/buffer.h"
 #include "gl/item_pass.h"
 #include "gl/objects.h"
 
@@ -12,18 +13,21 @@
 
 namespace firsthit::gl {
 
-/// The transfer of one item picture at a time.
+/// The transfer of one item picture at a time. Its memory is kept.
 class ItemReadback {
   public:
+    explicit ItemReadback(const Context& context) : hardware_(context.is_hardware()) {}
+
     /// Begins the transfer of what was drawn last. sync: it is done when this returns. async:
     /// chunks of whole rows go through a pixel buffer object that stays mapped, each behind a
-    /// fence; wait() tells when they are there.
+    /// fence; wait() tells when they are there. Hardware is asked for all chunks at once; a
+    /// software driver, which copies while it is asked, for one at a time.
     ///
-    /// chunks  1 or more; async
-    /// throws  DeviceError: no memory
+    /// chunks  1 or more, of the picture; async
+    /// throws  DeviceError: no memory, lost context
     void start(const ItemPass& pass, Readback mode, int chunks);
 
-    /// Waits for the next chunk.
+    /// Waits for the next chunk; the context has to be current.
     /// returns  the number of rows that are there, from the top; all of them in the end
     /// throws  DeviceError: lost context
     int wait();
@@ -32,17 +36,25 @@ class ItemReadback {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Pixels of a row that is there: see decoded (item_pass.h).
-    std::span<const std::uint32_t> row(int y) const
+    /// (height, width) triangle ids, of which rows_ready() rows are there. Stays in place until
+    /// the next start.
+    std::span<const std::uint32_t> picture() const
     {
-        return {pixels_ + std::size_t(y) * std::size_t(width_), std::size_t(width_)};
+        return {items_, std::size_t(width_) * std::size_t(height_)};
     }
 
   private:
-    firsthit::Buffer<std::uint32_t> host_; // sync
+    std::size_t offset(int row) const { return std::size_t(row) * std::size_t(width_); }
+    void ask_for(std::size_t chunk);
+    void decode(int first, int last, const std::uint32_t* pixels);
+
+    bool hardware_;
+    const ItemPass* pass_ = nullptr;
+    firsthit::Buffer<std::uint32_t> host_; // sync, or decoded
     Buffer transfer_;                      // async
     std::vector<Fence> fences_;            // a chunk each
-    const std::uint32_t* pixels_ = nullptr;
+    std::size_t asked_ = 0;                // chunks
+    const std::uint32_t* items_ = nullptr;
     int width_ = 0, height_ = 0;
     int chunk_rows_ = 1;
     int rows_ready_ = 0;

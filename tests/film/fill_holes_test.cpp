@@ -1,9 +1,11 @@
 // fill_holes_test.cpp - holes take the colours around them.
 #include "film/fill_holes.h"
+#include "instruction_sets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -94,11 +96,45 @@ TEST(FillHoles, RowsMayBeFilledInAnyOrder)
     Picture picture(40, 30);
     std::mt19937 random(4);
     for (std::uint8_t& hole : picture.hole) hole = random() % 4 != 0;
-    Picture upwards = picture;
+    Picture upwards = picture, ranges = picture;
     picture.fill();
     for (int y = 29; y >= 0; --y)
         fill_holes({upwards.width, upwards.height, upwards.hole, upwards.color}, y, y + 1);
     EXPECT_EQ(upwards.color, picture.color);
+    for (const int y : {20, 0, 10})
+        fill_holes({ranges.width, ranges.height, ranges.hole, ranges.color}, y, y + 10);
+    EXPECT_EQ(ranges.color, picture.color);
+}
+
+TEST(FillHoles, HasTheSameBitsOnEveryInstructionSet)
+{
+    for (const unsigned one_in : {2u, 5u, 60u}) {
+        Picture holes(71, 30);
+        std::mt19937 random(5);
+        for (std::uint8_t& hole : holes.hole) hole = random() % one_in != 0;
+        Picture expected = holes;
+        const std::uint64_t count = expected.fill();
+        for_instruction_sets([&] {
+            Picture ours = holes;
+            EXPECT_EQ(ours.fill(), count);
+            EXPECT_EQ(ours.color, expected.color);
+        });
+    }
+}
+
+TEST(FillHoles, NothingComesFromAHolesColour)
+{
+    Picture picture(50, 20);
+    std::mt19937 random(6);
+    std::fill(picture.color.begin(), picture.color.end(), 0.5f);
+    for (std::size_t k = 0; k < picture.hole.size(); ++k) {
+        if (random() % 3 == 0) continue;
+        picture.hole[k] = 1;
+        for (std::size_t c = 0; c < 3; ++c)
+            picture.color[3 * k + c] = std::numeric_limits<float>::quiet_NaN();
+    }
+    picture.fill();
+    for (const float value : picture.color) EXPECT_NEAR(value, 0.5f, 1e-6f);
 }
 
 } // namespace

@@ -43,14 +43,10 @@ std::vector<std::uint32_t> draw(const gl::Context& context, const World& world, 
         range = gl::fit_depth(eye.memory.corner.span(), world.scene->index, pencil, tasks);
     gl::ItemPass pass(context);
     pass.draw(scene, pencil, formats.item, formats.depth, range);
-    gl::ItemReadback readback;
+    gl::ItemReadback readback(context);
     readback.start(pass, chunks > 0 ? Readback::async : Readback::sync, chunks);
     while (readback.rows_ready() < readback.height()) readback.wait();
-    std::vector<std::uint32_t> items;
-    for (int y = 0; y < readback.height(); ++y)
-        for (const std::uint32_t pixel : readback.row(y))
-            items.push_back(gl::decoded(formats.item, pixel));
-    return items;
+    return {readback.picture().begin(), readback.picture().end()};
 }
 
 /// The share of samples whose items are not the cpu engine's.
@@ -215,6 +211,41 @@ TEST(ItemCoding, HoldsNumbersUpToItsLimit)
     EXPECT_EQ(gl::decoded(ItemFormat::rgb8, 0xFF000000u), 0u);
     EXPECT_EQ(gl::decoded(ItemFormat::rgba8, 0xFFFFFFFEu), 0xFFFFFFFEu);
     EXPECT_EQ(gl::decoded(ItemFormat::rgba8, 0xFFFFFFFFu), kNoItem);
+}
+
+TEST(ItemCoding, MoreTrianglesThanItHoldsAreAnErrorWithNumbers)
+{
+    EXPECT_NO_THROW(gl::check_triangles(ItemFormat::rgb8, 16777215));
+    EXPECT_EQ(message_of<ArgumentError>([] { gl::check_triangles(ItemFormat::rgb8, 16777216); }),
+        "16777216 triangles are too many for the item format rgb8: it holds 16777215");
+    EXPECT_NO_THROW(gl::check_triangles(ItemFormat::rgba8, 4294967295));
+    EXPECT_THROW(gl::check_triangles(ItemFormat::rgba8, 4294967296), ArgumentError);
+}
+
+TEST_F(ItemPass, PencilsThatItCannotDrawAreErrors)
+{
+    test::TestWorld empty;
+    empty.finish();
+    gl::SceneBuffers scene(*context, gl::Detail::items);
+    scene.pose(empty.world, Pencil{});
+    gl::ItemPass pass(*context);
+    const auto message = [&](const Pencil& pencil) {
+        try {
+            pass.draw(scene, pencil, ItemFormat::r32ui, DepthFormat::float32);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    Pencil parallel;
+    parallel.width = parallel.height = 8;
+    parallel.parallel = true;
+    EXPECT_EQ(message(parallel), "items are drawn for rays through an eye only");
+    Pencil wide;
+    wide.width = context->info().max_texture_size + 1;
+    wide.height = 1;
+    EXPECT_NE(message(wide).find(std::to_string(wide.width) + "x1 samples"), std::string::npos)
+        << message(wide);
 }
 
 TEST(FitDepth, HoldsWhatTheRaysSeeAndNoMore)

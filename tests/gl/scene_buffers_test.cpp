@@ -85,6 +85,59 @@ TEST_F(SceneBuffers, PosesPartsThatDeform)
     }
 }
 
+/// A rigid part between one that morphs and one that deforms, on a node that turns them.
+Scene mixed_scene()
+{
+    Scene scene;
+    Node node;
+    node.local[3] = {0.3, -0.2, -4, 1};
+    scene.nodes = {node};
+    scene.materials = {Material{}};
+    for (std::uint32_t p = 0; p < 3; ++p) {
+        const std::uint32_t first = 3 * p;
+        Part part;
+        part.first_vertex = first;
+        part.vertex_count = 3;
+        part.first_triangle = p;
+        part.triangle_count = 1;
+        for (const glm::vec3 corner : {glm::vec3(-1, -1, 0), {1, -1, 0}, {0, 1, float(p)}})
+            scene.position.push_back(corner);
+        scene.index.push_back({first, first + 1, first + 2});
+        scene.owner.push_back(p);
+        scene.parts.push_back(part);
+    }
+    scene.vertices = 9;
+    scene.normal.assign(9, glm::vec3(0, 0.6f, 0.8f));
+    const std::vector<glm::vec3> flat(3, glm::vec3(0, 0, 1));
+    scene.parts[0].morph = {
+        {0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, flat}, {1, {{0, 0, 1}, {1, 0, 2}, {0, 1, 3}}, flat}};
+    scene.parts[2].deform = [](double time_s, std::size_t first, std::size_t last,
+                                glm::vec3* position, glm::vec3* normal) {
+        for (std::size_t v = first; v < last; ++v) {
+            position[v - first] = {float(v), float(v * v), float(time_s)};
+            normal[v - first] = {1, 0, 0};
+        }
+    };
+    return scene;
+}
+
+TEST_F(SceneBuffers, PosesRigidPartsAmongOnesThatMorphAndDeform)
+{
+    const Scene scene = mixed_scene();
+    World world;
+    gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
+    for (const double time : {0.25, 0.5, 0.75}) {
+        pose(scene, time, world);
+        const std::uint64_t before = buffers.uploaded_bytes();
+        buffers.pose(world, pencil_at(world));
+        expect_posed(buffers, world, pencil_at(world));
+        // Later frames bring positions and normals of the six that move.
+        if (time > 0.25) {
+            EXPECT_EQ(buffers.uploaded_bytes() - before, 6 * 2 * sizeof(glm::vec3));
+        }
+    }
+}
+
 TEST_F(SceneBuffers, PoseAgainForAnotherEyeWithoutAnUpload)
 {
     const Scene scene = load_scene("builtin:wave?n=2000");

@@ -1,0 +1,168 @@
+// hybrid_items.cpp - items drawn by OpenGL, for the rays of the CPU.
+#include "gl/hybrid_items.h"
+
+#include "base/stopwatch.h"
+#include "hits/multisample.h"
+#include "visibility/project.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace firsthit::gl {
+
+HybridItems::HybridItems(const Context& context, SceneBuffers& scene)
+    : context_(context),
+      scene_(scene)
+{
+    const Current current(context_);
+    pass_.emplace(context_);
+    readback_.emplace(context_);
+}
+
+HybridItems::~HybridItems()
+{
+    thread_.wait();
+    const Current current(context_);
+    readback_.reset();
+    pass_.reset();
+}
+
+void HybridItems::set(const Settings& settings)
+{
+    multisample_ = settings.multisample;
+    settings_ = settings.opengl;
+}
+
+/// With the context current.
+void HybridItems::draw()
+{
+    Stopwatch watch;
+    if (order_.corner.empty())
+        scene_.pose(*order_.world, order_.pencil);
+    else
+        scene_.lend_eye_space(*order_.world, order_.pencil, order_.corner);
+    pass_->draw(scene_, order_.pencil, settings_.item_format, settings_.depth_format, order_.range);
+    glFlush();
+    const std::lock_guard lock(mutex_);
+    times_.draw_ms += watch.lap_ms();
+}
+
+/// The job thread's: all of OpenGL's part.
+void HybridItems::draw_and_read()
+{
+    try {
+        const Current current(context_);
+        draw();
+        {
+            const std::lock_guard lock(mutex_);
+            drawn_ = true;
+        }
+        changed_.notify_all();
+        Stopwatch watch;
+        readback_->start(*pass_, Readback::async, settings_.readback_chunks);
+        while (readback_->rows_ready() < readback_->height()) {
+            const int rows = readback_->wait();
+            if (rows < readback_->height()) report(rows);
+        }
+        const std::lock_guard lock(mutex_);
+        times_.transfer_ms += watch.lap_ms();
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        error_ = std::current_exception();
+        drawn_ = true;
+    }
+    // After the context was let go: who sees all rows may make it current.
+    report(order_.pencil.height);
+}
+
+void HybridItems::report(int rows)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        rows_ = rows;
+    }
+    changed_.notify_all();
+}
+
+bool HybridItems::start(const World& world, const View& /*view*/, const Region& /*part*/,
+    int /*samples*/, ViewMemory& memory, Tasks& tasks)
+{
+    thread_.wait(); // where the last frame was given up
+    check_triangles(settings_.item_format, world.scene->index.size());
+    memory.index = world.scene->index;
+    memory.in_view_count = memory.entry_count = 0; // nothing is binned
+    order_ = {&world, memory.pencil, {}, {}};
+    drawn_ = false;
+    rows_ = tile_rows_ = 0;
+    error_ = nullptr;
+
+    // What the driver needs from the CPU's eye space comes first; else they work side by side.
+    const bool lends = multisample_ == Multisample::exact;
+    const bool fits = settings_.depth_format == DepthFormat::fixed24;
+    const bool projects_first = lends || fits;
+    if (projects_first) project_vertices(world.position, memory, tasks);
+    if (lends) order_.corner = memory.corner.span();
+    if (fits) order_.range = fit_depth(memory.corner.span(), memory.index, memory.pencil, tasks);
+
+    if (settings_.readback == Readback::sync) {
+        Stopwatch watch;
+        {
+            const Current current(context_);
+            draw();
+            Stopwatch transfer;
+            readback_->start(*pass_, Readback::sync, 1);
+            times_.transfer_ms += transfer.lap_ms();
+        }
+        rows_ = readback_->height();
+        times_.waiting_ms += watch.lap_ms();
+        if (!projects_first) project_vertices(world.position, memory, tasks);
+        return true;
+    }
+    thread_.start([this] { draw_and_read(); });
+    try {
+        if (!projects_first) project_vertices(world.position, memory, tasks);
+    } catch (...) {
+        thread_.wait(); // it looks at the world
+        throw;
+    }
+    Stopwatch watch;
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return drawn_; }); // the world is not looked at any more
+    times_.waiting_ms += watch.lap_ms();
+    if (!error_) return true;
+    const std::exception_ptr error = error_;
+    lock.unlock();
+    thread_.wait();
+    std::rethrow_exception(error);
+}
+
+std::size_t HybridItems::wait(const ViewMemory& memory)
+{
+    const int reach = reach_of(multisample_);
+    // Rows of tiles whose neighbourhood is there.
+    const auto ready = [&](int rows) {
+        return rows >= memory.pencil.height ? memory.tiles_y
+                                            : std::max(0, rows - reach) / memory.tile_size;
+    };
+    Stopwatch watch;
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return ready(rows_) > tile_rows_; });
+    times_.waiting_ms += watch.lap_ms();
+    if (error_) std::rethrow_exception(error_);
+    tile_rows_ = ready(rows_);
+    return std::size_t(tile_rows_) * std::size_t(memory.tiles_x);
+}
+
+void HybridItems::tile(const ViewMemory& memory, int tile, ItemTile& out,
+    std::span<std::uint64_t> holes, std::size_t /*worker*/)
+{
+    multisample_tile(memory, readback_->picture(), tile, multisample_, out, holes);
+}
+
+HybridTimes HybridItems::take_times()
+{
+    const std::lock_guard lock(mutex_);
+    return std::exchange(times_, {});
+}
+
+} // namespace firsthit::gl

@@ -1,0 +1,87 @@
+// hybrid_items.h - items drawn by OpenGL, for the rays of the CPU.
+#pragma once
+
+#include "gl/item_pass.h"
+#include "gl/item_readback.h"
+#include "gl/job_thread.h"
+#include "gl/scene_buffers.h"
+#include "visibility/item_source.h"
+
+#include <firsthit/render.h>
+
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+
+namespace firsthit::gl {
+
+/// Where a frame's time on OpenGL went. Milliseconds, summed over the frame's parts.
+struct HybridTimes {
+    double draw_ms = 0;     // vertices posed, triangles sent to the driver
+    double transfer_ms = 0; // from there to the last item in host memory: raster and transfer
+    double waiting_ms = 0;  // how long of all this the rays had to wait
+};
+
+/// The item source of the hybrid engine: draws the part's items, reads them back and repairs tile
+/// by tile on the CPU (hits/multisample.h).
+///
+/// sync    everything is done by the caller's thread before start() returns.
+/// async   OpenGL has a thread of its own. Meanwhile start() moves the vertices that rays are
+///         tested against; tiles are ready as soon as the rows around them are there.
+///
+/// source  Robert and Schoepke 2006, section 4.1
+class HybridItems final : public ItemSource {
+  public:
+    /// context  outlives this, and is current nowhere during start, wait and the destructor
+    /// scene    of that context, with any Detail
+    HybridItems(const Context& context, SceneBuffers& scene);
+    ~HybridItems() override;
+
+    /// For the frames that follow. Read are multisample, opengl.item_format, .depth_format,
+    /// .readback and .readback_chunks.
+    void set(const Settings& settings);
+
+    /// throws  ArgumentError: more triangles than the item format holds
+    ///         DeviceError: as SceneBuffers and ItemPass
+    bool start(const World& world, const View& view, const Region& part, int samples,
+        ViewMemory& memory, Tasks& tasks) override;
+    std::size_t wait(const ViewMemory& memory) override;
+    void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
+        std::size_t worker) override;
+
+    /// Since the last call.
+    HybridTimes take_times();
+
+  private:
+    /// What the driver is asked for, while start() runs.
+    struct Order {
+        const World* world = nullptr;
+        Pencil pencil;
+        std::span<const glm::vec4> corner; // lent; empty: OpenGL poses
+        DepthRange range;
+    };
+    void draw();
+    void draw_and_read();
+    void report(int rows);
+
+    const Context& context_;
+    SceneBuffers& scene_;
+    std::optional<ItemPass> pass_; // while the context is there
+    std::optional<ItemReadback> readback_;
+    Multisample multisample_ = Multisample::lazy3;
+    OpenGlSettings settings_;
+    Order order_;
+    int tile_rows_ = 0; // that were said to be ready
+
+    std::mutex mutex_; // guards the following, which the job thread writes
+    std::condition_variable changed_;
+    bool drawn_ = false;
+    int rows_ = 0; // that are there
+    std::exception_ptr error_;
+    HybridTimes times_;
+
+    JobThread thread_;
+};
+
+} // namespace firsthit::gl
