@@ -7,6 +7,10 @@
 #include "gl/program.h"
 #include "shadow/map_pencil.h"
 
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -50,6 +54,12 @@ void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, Sh
     const Pencil pencil = place_map(world, face, map);
     const float range = depth_range(world, pencil);
     const int width = map.width(), height = map.height();
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (std::max(width, height) > most)
+        throw DeviceError(fmt::format("OpenGL: a shadow map of {}x{} texels is too large, {} on a "
+                                      "side are possible ({})",
+            width, height, most, driver_name()));
     if (width > depth_.width() || height > depth_.height()) {
         depth_.resize(GL_DEPTH_COMPONENT32F, std::max(width, depth_.width()),
             std::max(height, depth_.height()));

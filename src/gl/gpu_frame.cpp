@@ -79,6 +79,13 @@ int channels_of(ItemFormat format)
     return format == ItemFormat::r32ui ? 1 : format == ItemFormat::rgb8 ? 3 : 4;
 }
 
+void add_counts(const SampleCounts& samples, std::uint64_t interpolated, Stats& stats)
+{
+    stats.hits += samples.hits;
+    stats.missed += samples.missed;
+    stats.interpolated += interpolated;
+}
+
 } // namespace
 
 GpuFrame::GpuFrame(const Context& context, const GpuOptions& options)
@@ -136,7 +143,7 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     scene_textures_.bind(scene_);
     materials_.bind();
     const bool masked = job.settings.opengl.passes == GpuPasses::multi;
-    const bool stored = masked || part.planes;
+    const bool stored = masked || part.planes || !part.color;
     if (masked) passes_.mask_empty();
     if (stored) passes_.find_hits(masked);
     job.stats.resolve_ms += stage_ms();
@@ -152,8 +159,17 @@ void GpuFrame::render_part(const Job& job, const Part& part)
         std::size_t(part.pixels.x - job.view.region.x);
     if (part.color) {
         passes_.shade({.stored = stored, .masked = masked});
-        if (part.samples > 1) passes_.average(part.samples);
+        const bool averaged = part.samples > 1;
+        SampleCounts counts;
+        if (averaged) {
+            counts = passes_.count_colors();
+            passes_.average(part.samples);
+        }
         if (job.settings.interpolate) passes_.fill_holes();
+        const SampleCounts last = passes_.count_colors();
+        add_counts(averaged ? counts : last, last.interpolated, job.stats);
+    } else {
+        add_counts(passes_.count_hits(), 0, job.stats);
     }
     job.stats.shade_ms += stage_ms();
     if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);

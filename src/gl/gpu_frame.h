@@ -36,6 +36,7 @@ class GpuFrame {
     /// Renders the view's region into the film and adds to the statistics. `settings` and `view`
     /// are checked (render/check_settings.h); view.region is filled in. Shadows::automatic is map.
     ///
+    /// items   with Multisample::exact they have to be right: no ray is tested
     /// maps    of the cpu engine, to be used instead of drawing them; or null
     /// limits  pictures with more samples than options.part_side on a side are made in parts; each
     ///         part looks at neighbours and fills holes inside itself

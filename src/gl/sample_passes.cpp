@@ -54,7 +54,8 @@ SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_in
 const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
 {
     static constexpr std::string_view kFiles[] = {"early_z.frag", "intersect.frag",
-        "hit_bounds.comp", "shade_hits.frag", "fill_holes.frag", "average.frag", "plane.frag"};
+        "hit_bounds.comp", "shade_hits.frag", "fill_holes.frag", "average.frag",
+        "count_samples.comp", "plane.frag"};
     const bool flags[] = {
         variant_.shadow_maps, variant_.textures, variant_.few_lights, stored, count_invocations_};
     unsigned variant = unsigned(pass);
@@ -73,13 +74,13 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
         {"FIRSTHIT_SHADOW_MAPS", variant_.shadow_maps ? "1" : "0"},
         {"FIRSTHIT_TEXTURES", variant_.textures ? "1" : "0"},
         {"FIRSTHIT_FEW_LIGHTS", variant_.few_lights ? std::to_string(kFewLights) : "0"},
-        {"FIRSTHIT_PLANE", std::to_string(plane)}};
-    if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+        {"FIRSTHIT_COUNT_HITS", stored ? "1" : "0"}, {"FIRSTHIT_PLANE", std::to_string(plane)}};
+    if (stored || pass == Pass::count) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
     if (count_invocations_) defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
     const std::string_view file = kFiles[std::size_t(pass)];
     programs_.push_back(
-        {variant, pass == Pass::bounds ? link_program({file}, defines)
-                                       : link_program({"screen.vert", file}, defines)});
+        {variant, file.ends_with(".comp") ? link_program({file}, defines)
+                                          : link_program({"screen.vert", file}, defines)});
     return programs_.back().program;
 }
 
@@ -192,7 +193,7 @@ void SamplePasses::shade(const PassInput& input)
     target_.attach(GL_COLOR_ATTACHMENT0, colors_.name());
     if (input.masked) {
         const glm::vec3& b = frame_data_.background;
-        const float background[4] = {b.x, b.y, b.z, 1};
+        const float background[4] = {b.x, b.y, b.z, 0.5f}; // kBackgroundAlpha of frame.glsl
         glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, background);
     }
     const Masked mask(mask_, target_, input.masked);
@@ -216,6 +217,22 @@ void SamplePasses::average(int samples)
     size_ /= samples;
     draw_into(program, pixels_, GL_RGBA32F, size_);
     newest_ = &pixels_;
+}
+
+SampleCounts SamplePasses::count(bool hits)
+{
+    const glm::ivec2 size = hits ? frame_data_.size : size_;
+    SampleCounts counts;
+    counts_.resize(sizeof counts);
+    counts_.upload(0, &counts, sizeof counts);
+    counts_.bind_storage(kResult);
+    if (!hits) newest_->bind(kColorsUnit);
+    linked(Pass::count, hits).use();
+    const GLuint blocks = (GLuint(size.x + 7) / 8) * (GLuint(size.y + 7) / 8);
+    glDispatchCompute((blocks + 31) / 32, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof counts, &counts);
+    return counts;
 }
 
 void SamplePasses::read_colors(float* to, int row_pixels)

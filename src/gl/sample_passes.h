@@ -48,6 +48,12 @@ struct PassInput {
     bool masked = false; // only where mask_empty left depth
 };
 
+struct SampleCounts {
+    std::uint32_t hits = 0;
+    std::uint32_t missed = 0;       // of those that were shot
+    std::uint32_t interpolated = 0; // by fill_holes
+};
+
 /// Programs and targets. All passes but the average read the bound blocks and textures (bindings.h)
 /// and write one texel a sample. Programs are linked when first used.
 class SamplePasses {
@@ -68,6 +74,10 @@ class SamplePasses {
     /// Leaves the means of samples x samples colours.
     void average(int samples);
 
+    /// Of the newest colours, or of the hits of find_hits. Waits.
+    SampleCounts count_colors() { return count(false); }
+    SampleCounts count_hits() { return count(true); }
+
     /// (height, width) RGB of the newest colours, to rows that are `row_pixels` long. Waits.
     void read_colors(float* to, int row_pixels);
 
@@ -82,8 +92,9 @@ class SamplePasses {
     std::uint64_t take_invocations();
 
   private:
-    enum class Pass { early_z, intersect, bounds, shade, fill, average, plane };
+    enum class Pass { early_z, intersect, bounds, shade, fill, average, count, plane };
     const Program& linked(Pass pass, bool stored = false, int plane = 0);
+    SampleCounts count(bool hits);
     void draw(const Program& program, const Framebuffer& target, glm::ivec2 size);
     void draw_into(const Program& program, Texture2D& texture, GLenum format, glm::ivec2 size);
 
@@ -98,7 +109,7 @@ class SamplePasses {
     PassVariant variant_;
     std::vector<Linked> programs_;
     VertexArray nothing_;
-    Buffer frame_, invocations_;
+    Buffer frame_, invocations_, counts_;
     Texture2D mask_, hits_, colors_, filled_, pixels_;
     const Texture2D* newest_ = nullptr; // of the last three
     std::array<Texture2D, 4> planes_;   // item; 1, 2 and 4 channels

@@ -27,6 +27,8 @@ std::vector<Variant> all_variants()
         {"item.frag", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "1"}}},
         {"pose.comp", {{"SURFACES", "0"}}}, {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}},
         {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
+        {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "0"}, {"FIRSTHIT_STORED_HITS", ""}}},
+        {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "1"}, {"FIRSTHIT_STORED_HITS", ""}}},
         {"average.frag", {}}, {"fill_holes.frag", {}}};
     // Every value of every define, and those that meet in one place together.
     const auto add = [&](const std::string& shader, int test, int channels, bool on, int plane) {

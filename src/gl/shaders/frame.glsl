@@ -25,6 +25,12 @@ layout(std140, binding = 0) uniform Frame
     int interleave_shift; // from row to row
 } frame;
 
+/// The alpha of a sample says where its colour is from.
+const float kHoleAlpha = 0.0; // nowhere: its triangle was not found, or it was not shot
+const float kFilledAlpha = 0.25; // the colours around it
+const float kBackgroundAlpha = 0.5;
+const float kHitAlpha = 1.0;
+
 /// Whether the sample's ray is shot, or its colour comes from its neighbours.
 bool is_shot(ivec2 sample_at)
 {
