@@ -23,24 +23,19 @@ struct FrameData {
     glm::vec3 forward{0};
     std::int32_t lights = 0;
     glm::vec3 background{0};
-    std::int32_t unused0 = 0;
+    std::int32_t reach = 0; // neighbours on each side that are tried for a missed item
     glm::vec3 ambient{0};
-    std::int32_t reach = 0;      // neighbours on each side that are tried
-    glm::ivec2 size{0};          // of the part, samples
-    glm::ivec2 corner{0};        // the part's first sample, in the picture
-    std::uint32_t triangles = 0; // items from here on are none
-    std::int32_t interleave = 1; // every so-many-th sample of a row is shot
-    std::int32_t unused1 = 0;
-    std::int32_t unused2 = 0;
-    std::int32_t filter = 1;           // N: N x N texels are compared
     float bias = -1;                   // of maps
+    glm::ivec2 size{0};                // of the part, samples
+    glm::ivec2 corner{0};              // the part's first sample, in the picture
+    std::uint32_t triangles = 0;       // items from here on are none
+    std::int32_t interleave = 1;       // every so-many-th sample of a row is shot: hits/lattice.h
     std::int32_t interleave_shift = 0; // from row to row
-    std::int32_t unused3 = 0;
+    std::int32_t filter = 1;           // N: N x N texels are compared
 };
 static_assert(offsetof(FrameData, first_x) == 28 && offsetof(FrameData, lights) == 60 &&
               offsetof(FrameData, ambient) == 80 && offsetof(FrameData, size) == 96 &&
-              offsetof(FrameData, triangles) == 112 && offsetof(FrameData, bias) == 132 &&
-              sizeof(FrameData) == 144);
+              offsetof(FrameData, triangles) == 112 && sizeof(FrameData) == 128);
 
 struct MaterialData {
     glm::vec3 ambient{0};

@@ -62,15 +62,15 @@ FrameData frame_data(const World& world, const Settings& settings, const Pencil&
         .forward = axes[2],
         .lights = std::int32_t(world.lights.size()),
         .background = world.scene->background,
-        .ambient = world.scene->ambient,
         .reach = reach_of(settings.multisample),
+        .ambient = world.scene->ambient,
+        .bias = float(settings.shadow_bias),
         .size = {pencil.width, pencil.height},
         .corner = {part.x, part.y},
         .triangles = std::uint32_t(world.scene->index.size()),
         .interleave = settings.interleave,
-        .filter = settings.shadow_filter,
-        .bias = float(settings.shadow_bias),
-        .interleave_shift = Lattice(settings.interleave).shift()};
+        .interleave_shift = Lattice(settings.interleave).shift(),
+        .filter = settings.shadow_filter};
     return data;
 }
 

@@ -14,5 +14,6 @@ void main()
             vec4 color = texelFetch(colors, first + ivec2(x, y), 0);
             if (color.a != kHoleAlpha) sum += vec4(color.rgb, 1.0);
         }
-    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, kHitAlpha) : vec4(texelFetch(colors, first, 0).rgb, kHoleAlpha);
+    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, kHitAlpha)
+                            : vec4(texelFetch(colors, first, 0).rgb, kHoleAlpha);
 }

@@ -20,7 +20,8 @@ vec4 color_around(ivec2 at)
             int step = abs(y) == reach ? 1 : 2 * reach;
             for (int x = -reach; x <= reach; x += step) {
                 ivec2 p = at + ivec2(x, y);
-                if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, textureSize(colors, 0)))) continue;
+                if (any(lessThan(p, ivec2(0)))) continue;
+                if (any(greaterThanEqual(p, textureSize(colors, 0)))) continue;
                 if (!is_shot(p)) continue;
                 vec4 color = texelFetch(colors, p, 0);
                 if (color.a != kHoleAlpha) sum += vec4(color.rgb, 1.0) / float(x * x + y * y);

@@ -11,18 +11,15 @@ layout(std140, binding = 0) uniform Frame
     vec3 forward;
     int lights;
     vec3 background;
-    int unused0;
+    int reach; // neighbours on each side that are tried for a missed item
     vec3 ambient;
-    int reach; // neighbours on each side that are tried
+    float bias; // of maps
     ivec2 size; // of the part, samples
     ivec2 corner; // the part's first sample, in the picture
-    uint triangles;
-    int interleave; // every so-many-th sample of a row is shot
-    int unused1;
-    int unused2;
-    int filter_size; // N: N x N texels are compared
-    float bias; // of maps
+    uint triangles; // items from here on are none
+    int interleave; // every so-many-th sample of a row is shot: hits/lattice.h
     int interleave_shift; // from row to row
+    int filter_size; // N: N x N texels are compared
 } frame;
 
 /// The alpha of a sample says where its colour is from.

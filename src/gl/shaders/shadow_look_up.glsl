@@ -27,7 +27,8 @@ float steepness_of(LightData light, Surface surface)
 int texel_offset(MapData map, int x, int y)
 {
     int quads = (map.width + 3) / 4;
-    return int(map.first) + ((y >> 2) * quads + (x >> 2)) * 16 + (y & 3) * 4 + (x & 3);
+    int quad = (y >> 2) * quads + (x >> 2);
+    return int(map.first) + quad * 16 + (y & 3) * 4 + (x & 3);
 }
 
 int clamped(float x, int most)
@@ -54,7 +55,8 @@ float lit_share(MapData map, bool parallel, vec3 eye_d, float t, float steepness
         int y = clamped(first.y + float(j), map.height - 1);
         for (int i = 0; i < n; ++i) {
             int x = clamped(first.x + float(i), map.width - 1);
-            lit += is_shadowed(texelFetch(map_depth, texel_offset(map, x, y)).x, depth, epsilon) ? 0.0 : 1.0;
+            float nearest = texelFetch(map_depth, texel_offset(map, x, y)).x;
+            lit += is_shadowed(nearest, depth, epsilon) ? 0.0 : 1.0;
         }
     }
     lit /= float(n * n);
