@@ -247,7 +247,7 @@ void Query::begin(GLenum target)
         name_ = 0;
     }
     if (!name_) {
-        glCreateQueries(target, 1, &name_);
+        glGenQueries(1, &name_); // glCreateQueries refuses pipeline statistics in Mesa 22
         counted(name_);
     }
     target_ = target;
