@@ -131,9 +131,10 @@ void add_light_options(CLI::App& app, LightOptions& options)
         "Soften the borders of shadow maps: N x N texels are compared, 1 to 15; default 1: hard");
 }
 
-void check(const LightOptions& options)
+void check(const LightOptions& options, Engine engine)
 {
     if (options.shadows == Shadows::map) return;
+    if (options.shadows == Shadows::automatic && engine != Engine::cpu) return;
     const char* name = options.shadow_map_size ? "--shadow-map-size"
                        : options.shadow_bias   ? "--shadow-bias"
                        : options.shadow_filter ? "--shadow-filter"

@@ -30,8 +30,8 @@ Shadows parse_shadows(const std::string& text);
 /// --light, --shadows, --shadow-map-size, --shadow-bias, --shadow-filter
 void add_light_options(CLI::App& app, LightOptions& options);
 
-/// throws  UsageError: an option of shadow maps without --shadows map
-void check(const LightOptions& options);
+/// throws  UsageError: an option of shadow maps where the engine will not make them
+void check(const LightOptions& options, Engine engine = Engine::cpu);
 
 /// Replaces the scene's lights where some were given.
 void apply(const LightOptions& options, Scene& scene);

@@ -36,6 +36,16 @@ void report(const RenderOptions& options, const RunReport& run)
         write_file(options.stats_json, text);
 }
 
+/// Says on standard error which engine `auto` became, where that is new.
+void say_reason(const EngineInfo& info, std::string& said)
+{
+    if (info.reason.empty()) return;
+    const std::string text =
+        fmt::format("firsthit: engine {}: {}\n", engine_name(info.engine), info.reason);
+    if (text != said) fmt::print(stderr, "{}", text);
+    said = text;
+}
+
 } // namespace
 
 int run_render(const RenderOptions& options)
@@ -62,6 +72,7 @@ int run_render(const RenderOptions& options)
     ViewMaker views(options.camera);
     World world;
     Film film;
+    std::string said;
     {
         Progress progress("frames", times.size());
         for (std::size_t frame = 0; frame < times.size(); ++frame) {
@@ -69,6 +80,7 @@ int run_render(const RenderOptions& options)
             renderer.pose(scene, times[frame], world);
             renderer.render(world, views.view(world), settings, film);
             Stats stats = renderer.stats();
+            say_reason(renderer.engine(), said);
             const Stopwatch writing;
             write_files(options, film, static_cast<int>(frame));
             stats.write_ms = writing.ms();
@@ -77,6 +89,8 @@ int run_render(const RenderOptions& options)
             progress.advance();
         }
     }
+    run.engine = engine_name(renderer.engine().engine);
+    run.device = renderer.engine().device;
     run.peak_memory_bytes = peak_memory_bytes();
     report(options, run);
     return kExitDone;

@@ -26,6 +26,7 @@ constexpr const char* kExamples = R"(Examples:
   firsthit render builtin:robots --frames 0:10:251 -o robots_%04d.png --stats
   firsthit render builtin:robots -o spot.png --light spot:0,7,0,0,-1,0,90,60
   firsthit render builtin:robots -o quick.png --interleave 2
+  firsthit render builtin:robots -o hybrid.png --engine hybrid --multisample exact --stats
   firsthit render builtin:torus -o sun.png --light directional:-1,-3,-1 --light point:0,4,0
   firsthit render builtin:robots -o maps.png --shadows map --shadow-map-size 2048 --shadow-filter 3
 
@@ -140,17 +141,10 @@ void add_render_options(CLI::App& app, RenderOptions& options)
     };
     add_parsed(app, "--samples", options.samples, integer(1, 16), "N",
         "N x N rays a pixel, 1 to 16; default 1");
-    add_parsed(app, "--interleave", options.interleave, integer(1, 16), "N",
-        "Shoot only every N-th pixel's ray, 1 to 16, and interpolate the pixels between; default "
-        "1");
-    add_parsed(app, "--multisample", options.multisample, parse_multisample,
-        "none|lazy3|lazy5|full3|full5|exact",
-        "What OpenGL's item buffer does where its triangle is missed. none; lazy: try the "
-        "triangles "
-        "of the 3 x 3 or 5 x 5 pixels around it; full: try them at every pixel, the nearest hit "
-        "wins; exact: the cpu engine's items, which need no repair; default lazy3");
-    app.add_flag("--no-interpolate", options.no_interpolate,
-        "Leave pixels whose triangle is not found, or whose ray is not shot, as background");
+    add_parsed(app, "--engine", options.engine.engine, parse_engine, "cpu|hybrid|gpu|auto",
+        "Who makes the picture: cpu, exactly; hybrid, items and shadow maps by OpenGL and rays by "
+        "the CPU; gpu, all by OpenGL; auto, gpu where OpenGL runs on hardware; default cpu");
+    add_engine_options(app, options.engine);
     add_parsed(app, "--threads", options.threads, integer(0, 1024), "N",
         "Threads, 0 to 1024; default 0: one for each core");
     add_parsed(app, "--tile-size", options.tile_size, parse_tile_size, "N",
@@ -166,8 +160,10 @@ void check(const RenderOptions& options)
     const bool measured = options.stats || !options.stats_json.empty();
     if (options.output.empty() && options.aovs.empty() && !measured)
         throw UsageError("nothing is asked for: say -o FILE, --aov NAME=FILE or --stats");
-    check(options.light);
-    if (options.interleave > 1 && options.samples > 1)
+    check(options.light, options.engine.engine);
+    if (options.engine.engine == Engine::gpu && options.light.shadows == Shadows::exact)
+        throw UsageError("--engine gpu has shadow maps only: accepted are --shadows map and none");
+    if (options.engine.interleave > 1 && options.samples > 1)
         throw UsageError("--interleave shoots less than a ray a pixel, --samples more: say one");
     check_patterns(options);
     check_no_file_twice(options);
@@ -192,9 +188,7 @@ Settings render_settings(const RenderOptions& options)
     Settings settings;
     settings.samples = options.samples;
     settings.color = !options.output.empty() || options.aovs.empty();
-    settings.interleave = options.interleave;
-    settings.multisample = options.multisample;
-    settings.interpolate = !options.no_interpolate;
+    apply(options.engine, settings);
     settings.tile_size = options.tile_size;
     for (const AovOutput& aov : options.aovs) settings.aovs.push_back(aov.aov);
     apply(options.light, settings);

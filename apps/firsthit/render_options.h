@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera_options.h"
+#include "engine_options.h"
 #include "light_options.h"
 #include "parse.h"
 #include "scene_options.h"
@@ -21,14 +22,12 @@ struct RenderOptions {
     SceneOptions scene;
     CameraOptions camera;
     LightOptions light;
+    EngineOptions engine;
     std::string output; // empty: no picture
     std::vector<AovOutput> aovs;
     std::optional<double> time_s; // none: the scene's begin
     std::vector<double> frames;   // times; empty: one picture at time_s
     int samples = 1;
-    int interleave = 1;
-    Multisample multisample = Multisample::lazy3;
-    bool no_interpolate = false;
     int threads = 0;
     int tile_size = 64;
     bool stats = false;
@@ -39,7 +38,8 @@ void add_render_options(CLI::App& app, RenderOptions& options);
 
 /// Finds what cannot work before the scene is loaded.
 /// throws  UsageError: nothing is asked for, an ending, a pattern of frames, a file named twice, an
-///         option of shadow maps without them, --interleave and --samples together
+///         option of shadow maps without them, --interleave and --samples together, exact shadows of
+///         the gpu engine
 ///         FileError: a folder is missing or may not be written
 ///         DeviceError: the film is larger than the machine's memory
 void check(const RenderOptions& options);

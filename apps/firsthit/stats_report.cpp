@@ -26,6 +26,9 @@ constexpr Stage kStages[] = {
     {"shadow_sort", &Stats::shadow_sort_ms},
     {"shadow_test", &Stats::shadow_test_ms},
     {"shade", &Stats::shade_ms},
+    {"draw", &Stats::draw_ms},
+    {"transfer", &Stats::transfer_ms},
+    {"wait", &Stats::wait_ms},
     {"write", &Stats::write_ms},
     {"total", &Stats::total_ms},
 };
@@ -45,6 +48,7 @@ constexpr Count kCounts[] = {
     {"ambiguous lanes", "ambiguous_lanes", &Stats::ambiguous_lanes},
     {"exact calls", "exact_calls", &Stats::exact_calls},
     {"hits", "hits", &Stats::hits},
+    {"uncertain pixels", "uncertain_samples", &Stats::uncertain_samples},
     {"missed", "missed", &Stats::missed},
     {"interpolated", "interpolated", &Stats::interpolated},
     {"shadow points", "shadow_points", &Stats::shadow_points},
@@ -52,6 +56,7 @@ constexpr Count kCounts[] = {
     {"shadow pairs", "shadow_pairs", &Stats::shadow_pairs},
     {"shadow uncertain", "shadow_uncertain", &Stats::shadow_uncertain},
     {"map updates", "map_updates", &Stats::map_updates},
+    {"uploaded bytes", "uploaded_bytes", &Stats::uploaded_bytes},
 };
 
 template <class T>
@@ -83,6 +88,8 @@ std::string stats_table(const RunReport& report)
         report.width, report.height, report.samples * report.samples,
         report.samples == 1 ? "" : "s", report.threads, report.threads == 1 ? "" : "s",
         report.instruction_set, report.frames.size(), several ? "s" : "");
+    fmt::format_to(
+        out, "engine {}{}{}\n", report.engine, report.device.empty() ? "" : " on ", report.device);
     fmt::format_to(out, "{:<16}{:>12}{}\n", "stage", several ? "mean ms" : "ms",
         several ? "      max ms" : "");
     fmt::format_to(out, "{:<16}{:>12.2f}\n", "load", report.load_ms);
@@ -114,6 +121,8 @@ Json stats_json(const RunReport& report)
         {"samples", report.samples},
         {"threads", report.threads},
         {"instruction_set", report.instruction_set},
+        {"engine", report.engine},
+        {"device", report.device},
         {"load_ms", report.load_ms},
         {"peak_memory_bytes", report.peak_memory_bytes},
         {"frames", Json::array()},

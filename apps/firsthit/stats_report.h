@@ -24,6 +24,8 @@ struct RunReport {
     int samples = 1; // N of N x N
     int threads = 1;
     std::string instruction_set;
+    std::string engine = "cpu"; // that made the last frame
+    std::string device;         // of OpenGL, or empty
     double load_ms = 0;
     std::uint64_t peak_memory_bytes = 0; // of the process
     std::vector<FrameReport> frames;     // at least one

@@ -104,26 +104,43 @@ struct Stats {
     double shadow_sort_ms = 0;    // vertices to the lights' spaces, points and triangles into cells
     double shadow_test_ms = 0;    // triangles over points
     double shade_ms = 0;
-    double write_ms = 0; // filled in by who writes
+    double draw_ms = 0;     // hybrid: vertices posed and triangles handed to OpenGL
+    double transfer_ms = 0; // hybrid: from there until the last item is in host memory
+    double wait_ms = 0;     // hybrid: how long the rays waited for items, of the two above
+    double write_ms = 0;    // filled in by who writes
     double total_ms = 0;
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t in_view = 0;          // triangles whose box holds a sample
-    std::uint64_t tile_entries = 0;     // (triangle, tile) pairs
-    std::uint64_t uncertain_lanes = 0;  // coverage that the float filter left open
-    std::uint64_t ambiguous_lanes = 0;  // depth order that the float filter left open
-    std::uint64_t exact_calls = 0;      // answered by expansion arithmetic
-    std::uint64_t hits = 0;             // samples with an item
-    std::uint64_t missed = 0;           // samples whose triangle is not found (OpenGL's items)
-    std::uint64_t interpolated = 0;     // pixels that got the colours around them
-    std::uint64_t shadow_points = 0;    // exact: (hit, light) pairs that a shadow ray decides
-    std::uint64_t shadow_triangles = 0; // triangles set up, once for each light and cell of points
-    std::uint64_t shadow_pairs = 0;     // tests of a triangle against a point
-    std::uint64_t shadow_uncertain = 0; // of these, left open by the float filter
-    std::uint64_t map_updates = 0;      // shadow maps made anew
+    std::uint64_t in_view = 0;           // triangles whose box holds a sample
+    std::uint64_t tile_entries = 0;      // (triangle, tile) pairs
+    std::uint64_t uncertain_lanes = 0;   // coverage that the float filter left open
+    std::uint64_t ambiguous_lanes = 0;   // depth order that the float filter left open
+    std::uint64_t exact_calls = 0;       // answered by expansion arithmetic
+    std::uint64_t hits = 0;              // samples with an item
+    std::uint64_t uncertain_samples = 0; // Multisample::exact: decided on the CPU
+    std::uint64_t missed = 0;            // samples whose triangle is not found (OpenGL's items)
+    std::uint64_t interpolated = 0;      // pixels that got the colours around them
+    std::uint64_t shadow_points = 0;     // exact: (hit, light) pairs that a shadow ray decides
+    std::uint64_t shadow_triangles = 0;  // triangles set up, once for each light and cell of points
+    std::uint64_t shadow_pairs = 0;      // tests of a triangle against a point
+    std::uint64_t shadow_uncertain = 0;  // of these, left open by the float filter
+    std::uint64_t map_updates = 0;       // shadow maps made anew
+    std::uint64_t uploaded_bytes = 0;    // to OpenGL
 };
 
-/// Renders frames; keeps the memory that they share. One frame at a time.
+/// What a frame was made on.
+struct EngineInfo {
+    Engine engine = Engine::cpu; // never automatic
+    std::string device;          // OpenGL's renderer and version; empty: none was used
+    std::string reason;          // of Engine::automatic: why it is this one; else empty
+};
+
+/// Renders frames; keeps the memory that they share. One frame at a time. The OpenGL engines have a
+/// context of their own, which is current only inside of render(), where it takes the place of the
+/// caller's: so frames may come from different threads.
+///
+/// limits  the OpenGL engines take rigid parts from the scene and World::node_matrix, the others from
+///         World::position: positions that the caller changed after pose() are not seen
 class Renderer {
   public:
     /// threads  0: one for each core
@@ -137,6 +154,9 @@ class Renderer {
     /// throws  ArgumentError: a size, region, sample count, camera or shadow setting out of range,
     ///         Aov::lit of a world without lights or with more than kMaxLitLights
     ///         SceneError: a light that contradicts itself
+    ///         DeviceError: an OpenGL engine that is not there, or fails: no OpenGL 4.5, too little
+    ///         memory, a lost context. The next frame starts anew. Engine::automatic takes the cpu
+    ///         engine instead
     void render(
         const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 
@@ -151,6 +171,7 @@ class Renderer {
 
     /// Of the last frame.
     const Stats& stats() const;
+    const EngineInfo& engine() const;
 
     int threads() const;
 

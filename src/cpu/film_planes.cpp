@@ -15,21 +15,6 @@ bool contains(std::span<const Aov> aovs, Aov wanted)
     return std::find(aovs.begin(), aovs.end(), wanted) != aovs.end();
 }
 
-/// The tile's pixels inside the picture.
-struct PixelRect {
-    int film_x, film_y; // of the first pixel, in the film
-    int width, height;  // pixels
-};
-
-PixelRect pixels_of(const TilePlace& place)
-{
-    const int side = place.view.tile_size / place.samples;
-    const int x = place.tile % place.view.tiles_x * side,
-              y = place.tile / place.view.tiles_x * side;
-    return {place.part.x - place.region.x + x, place.part.y - place.region.y + y,
-        std::min(side, place.part.width - x), std::min(side, place.part.height - y)};
-}
-
 /// Calls f(pixel in the film, offset in the tile, count) for runs of 4 pixels of a row, or fewer at
 /// the picture's edge; samples = 1. count is a constant 4 in all calls but the last of a row.
 template <class F>
@@ -168,6 +153,15 @@ void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
 }
 
 } // namespace
+
+PixelRect pixels_of(const TilePlace& place)
+{
+    const int side = place.view.tile_size / place.samples;
+    const int x = place.tile % place.view.tiles_x * side,
+              y = place.tile / place.view.tiles_x * side;
+    return {place.part.x - place.region.x + x, place.part.y - place.region.y + y,
+        std::min(side, place.part.width - x), std::min(side, place.part.height - y)};
+}
 
 void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs)
 {

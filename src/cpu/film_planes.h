@@ -16,6 +16,13 @@ struct TilePlace {
     std::span<const std::uint64_t> holes = {};
 };
 
+/// The tile's pixels inside the picture.
+struct PixelRect {
+    int film_x, film_y; // of the first pixel, in the film
+    int width, height;  // pixels
+};
+PixelRect pixels_of(const TilePlace& place);
+
 /// Points the targets that are asked for at memory for one tile, the others at null.
 void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 
 namespace firsthit {
 namespace {
@@ -19,7 +20,7 @@ struct Pass {
     bool color = true;
     std::span<const Aov> aovs;
     const Settings* shadows = nullptr; // how to find them; null: every light reaches everything
-    const Lattice* lattice = nullptr;  // the pixels whose rays are shot; null: all
+    const Packing* packing = nullptr;  // of the pixels whose rays are shot; null: all
     bool fill = false;                 // holes get the colours around them
 };
 
@@ -64,6 +65,13 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
     return {first, second};
 }
 
+/// The picture's pixel that the tile's first sample is; one sample a pixel.
+std::array<int, 2> first_pixel(const ViewMemory& view, const Region& part, int tile)
+{
+    return {part.x + tile % view.tiles_x * view.tile_size,
+        part.y + tile / view.tiles_x * view.tile_size};
+}
+
 /// The tile's items and hits. Which triangle does each sample see, and where exactly?
 HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameMemory& memory,
     std::size_t tile, std::size_t place, std::size_t number)
@@ -73,10 +81,9 @@ HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameM
     const std::span<std::uint64_t> holes = memory.holes.of(place);
     std::fill(holes.begin(), holes.end(), 0);
     items.tile(memory.view, int(tile), worker.items, holes, number);
-    if (pass.lattice) {
-        const int tiles_x = memory.view.tiles_x, size = memory.view.tile_size;
-        worker.missed_count += keep_lattice(*pass.lattice, part.x + int(tile) % tiles_x * size,
-            part.y + int(tile) / tiles_x * size, worker.items, holes);
+    if (pass.packing) {
+        const auto [x, y] = first_pixel(memory.view, part, int(tile));
+        worker.missed_count += keep_lattice(pass.packing->lattice(), x, y, worker.items, holes);
     } else {
         worker.missed_count += count_holes(holes);
     }
@@ -92,12 +99,19 @@ HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameM
 
 /// The tile's colours and planes, to the film.
 void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
-    const TilePlace& place, TileWorker& worker, std::span<std::uint8_t> hole_pixels, Film& film)
+    const TilePlace& place, const Packing* packing, TileWorker& worker, Film& film)
 {
     Stopwatch lap;
-    shade_tile(hits, world, lit, worker.shade.targets); // what colour is it?
-    store_tile(place, hits, lit, worker.shade.targets, film);
-    if (!place.holes.empty()) mark_holes(place, film.width, hole_pixels);
+    const ShadeTargets& targets = worker.shade.targets;
+    if (packing) {
+        const auto [x, y] = first_pixel(place.view, place.part, place.tile);
+        pack(*packing, x, y, hits, lit, world.lights.size(), worker.packed);
+        shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
+        store_packed(worker.packed, place, targets, world.scene->background, film);
+    } else {
+        shade_tile(hits, world, lit, targets); // what colour is it?
+        store_tile(place, hits, lit, targets, film);
+    }
     worker.shade_ms += lap.lap_ms();
 }
 
@@ -136,8 +150,8 @@ void render_part(const World& world, const View& view, const Region& part, const
                             const HitTile& hits, std::size_t number) {
         TilePlace where{memory.view, part, view.region, pass.samples, int(tile)};
         if (pass.fill) where.holes = memory.holes.of(place);
-        finish_tile(
-            world, hits, lit, where, *memory.workers[number], memory.holes.pixel.span(), film);
+        finish_tile(world, hits, lit, where, pass.packing, *memory.workers[number], film);
+        if (pass.fill) mark_holes(where, film.width, memory.holes.pixel.span());
     };
     if (!pass.shadows) {
         for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
@@ -176,6 +190,7 @@ void prepare(const Pass& pass, int tile_size, const World& world, const View& vi
     for (const auto& worker : memory.workers) {
         resize(worker->items, tile_size);
         resize(worker->shade, tile_size, pass.color, pass.aovs);
+        if (pass.packing) resize(worker->packed, tile_size, world.lights.size());
         if (pass.shadows)
             worker->lit.resize(
                 world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size));
@@ -235,14 +250,16 @@ void render_frame(const World& world, const View& view, const Settings& settings
     FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats, const FrameSources& sources)
 {
     ItemSource& items = sources.items ? *sources.items : memory.raster;
+    memory.lit.map_maker = sources.maps;
     film.width = view.region.width;
     film.height = view.region.height;
     clear_unused(film, settings.color, settings.aovs);
     // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
     // not all pixels, they are a second pass.
     const bool together = settings.samples == 1 && settings.interleave == 1;
-    const Lattice lattice(settings.interleave);
-    const Lattice* const shot = settings.interleave > 1 ? &lattice : nullptr;
+    std::optional<Packing> packing;
+    if (settings.interleave > 1) packing.emplace(settings.interleave);
+    const Packing* const shot = packing ? &*packing : nullptr;
     // Our own items have no holes.
     const bool fill = settings.color && settings.interpolate && (shot || &items != &memory.raster);
     const std::span<const Aov> aovs = settings.aovs;

@@ -3,6 +3,7 @@
 
 #include "base/tasks.h"
 #include "cpu/holes.h"
+#include "cpu/packed_tile.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
 #include "shadow/lit_stage.h"
@@ -28,6 +29,7 @@ struct TileWorker {
     ItemTile items{};
     ShadeMemory shade;
     Buffer<float> lit; // (lights, samples) of a tile
+    PackedTile packed; // of interleaved pictures
     double raster_ms = 0, resolve_ms = 0, shadow_ms = 0, shade_ms = 0;
     TileCounts counts;
     std::uint64_t hit_count = 0;
@@ -48,6 +50,7 @@ struct FrameMemory {
 /// Who makes what a frame is made of; null: the cpu engine.
 struct FrameSources {
     ItemSource* items = nullptr;
+    MapMaker* maps = nullptr;
 };
 
 /// Renders the view's region into the film and adds to the statistics. `settings` and `view` are

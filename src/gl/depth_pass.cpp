@@ -108,4 +108,12 @@ void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, Sh
     check("drawing a shadow map");
 }
 
+void DepthPass::draw_changed(
+    const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps)
+{
+    for (const MapNumber& k : maps.changed)
+        draw(world, scene, k.face, map_of(maps, k),
+            texels.first()[k.light * kFaces + std::size_t(k.face)], texels);
+}
+
 } // namespace firsthit::gl

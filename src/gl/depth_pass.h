@@ -31,6 +31,10 @@ class DepthPass {
     void draw(const World& world, const SceneBuffers& scene, int face, ShadowMap& map,
         std::uint32_t first, const MapTexels& texels);
 
+    /// The same for all maps.changed.
+    void draw_changed(
+        const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps);
+
   private:
     Program draw_, store_;
     VertexArray triangles_;

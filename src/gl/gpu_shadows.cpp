@@ -3,7 +3,6 @@
 
 #include "gl/bindings.h"
 #include "gl/context.h"
-#include "shadow/merge_faces.h"
 
 #include <algorithm>
 #include <span>
@@ -49,38 +48,18 @@ void GpuShadows::update_maps(const World& world, const Settings& settings,
     const SceneBuffers& scene, const SampleFrame& frame, std::span<LightBounds> bounds,
     std::int64_t max_storage_bytes, Tasks& tasks)
 {
-    if (!complete_) maps_.light.clear();
-    complete_ = false;
-    follow(world, maps_.geometry, tasks);
-    maps_.light.resize(world.lights.size());
-    changed_.clear();
-    for (std::size_t l = 0; l < world.lights.size(); ++l) {
-        ShadowLight& light = maps_.light[l];
-        light.frame = light_frame(world.lights[l]);
-        merge_faces(bounds[l]);
-        for (std::size_t face = 0; face < kFaces; ++face) {
-            const MapSource wanted{light.frame,
-                map_fit(bounds[l][face], settings.shadow_map_size, settings.shadow_filter),
-                maps_.geometry.version};
-            ShadowMap& map = light.map[face];
-            if (wanted == map.source) continue;
-            map.source = wanted;
-            if (wanted.fit.width > 0) changed_.push_back(l * kFaces + face);
-        }
-    }
+    plan_maps(world, settings, bounds, maps_, tasks);
     texels_.lay_out(maps_.light, max_storage_bytes);
-    for (const std::size_t k : changed_)
-        depth_pass_.draw(world, scene, int(k % kFaces), maps_.light[k / kFaces].map[k % kFaces],
-            texels_.first()[k], texels_);
-    updates_ += changed_.size();
-    complete_ = true;
+    depth_pass_.draw_changed(world, scene, texels_, maps_);
+    updates_ += maps_.changed.size();
+    maps_.complete = true;
     upload_tables(world, frame, maps_.light, settings.shadow_filter);
 }
 
 void GpuShadows::use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
     std::int64_t max_storage_bytes)
 {
-    complete_ = false; // what was drawn is lost
+    maps_.complete = false; // what was drawn is lost
     texels_.lay_out(maps.light, max_storage_bytes);
     texels_.upload(maps.light);
     upload_tables(world, frame, maps.light, maps.filter);

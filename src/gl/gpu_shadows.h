@@ -6,7 +6,6 @@
 #include "gl/light_tables.h"
 #include "gl/map_texels.h"
 #include "gl/scene_buffers.h"
-#include "shadow/geometry_copy.h"
 
 #include <firsthit/render.h>
 
@@ -47,11 +46,9 @@ class GpuShadows {
     void upload_tables(const World& world, const SampleFrame& frame,
         std::span<const ShadowLight> maps, int filter);
 
-    ShadowMaps maps_;       // sources and matrices
-    bool complete_ = false; // all maps are what their sources say
+    ShadowMaps maps_; // sources and matrices
     MapTexels texels_;
     DepthPass depth_pass_;
-    std::vector<std::size_t> changed_; // lights * kFaces + face
     std::vector<LightData> light_data_;
     std::vector<MapData> map_data_;
     gl::Buffer lights_, map_table_;

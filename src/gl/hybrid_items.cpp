@@ -23,6 +23,7 @@ HybridItems::~HybridItems()
 {
     thread_.wait();
     const Current current(context_);
+    certified_.reset();
     readback_.reset();
     pass_.reset();
 }
@@ -37,10 +38,7 @@ void HybridItems::set(const Settings& settings)
 void HybridItems::draw()
 {
     Stopwatch watch;
-    if (order_.corner.empty())
-        scene_.pose(*order_.world, order_.pencil);
-    else
-        scene_.lend_eye_space(*order_.world, order_.pencil, order_.corner);
+    scene_.pose(*order_.world, order_.pencil);
     pass_->draw(scene_, order_.pencil, settings_.item_format, settings_.depth_format, order_.range);
     glFlush();
     const std::lock_guard lock(mutex_);
@@ -91,18 +89,21 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
     check_triangles(settings_.item_format, world.scene->index.size());
     memory.index = world.scene->index;
     memory.in_view_count = memory.entry_count = 0; // nothing is binned
-    order_ = {&world, memory.pencil, {}, {}};
+    order_ = {&world, memory.pencil, {}};
     drawn_ = false;
     rows_ = tile_rows_ = 0;
     error_ = nullptr;
 
+    if (multisample_ == Multisample::exact) {
+        find_exact(memory, tasks);
+        return true;
+    }
     // What the driver needs from the CPU's eye space comes first; else they work side by side.
-    const bool lends = multisample_ == Multisample::exact;
-    const bool fits = settings_.depth_format == DepthFormat::fixed24;
-    const bool projects_first = lends || fits;
-    if (projects_first) project_vertices(world.position, memory, tasks);
-    if (lends) order_.corner = memory.corner.span();
-    if (fits) order_.range = fit_depth(memory.corner.span(), memory.index, memory.pencil, tasks);
+    const bool projects_first = settings_.depth_format == DepthFormat::fixed24;
+    if (projects_first) {
+        project_vertices(world.position, memory, tasks);
+        order_.range = fit_depth(memory.corner.span(), memory.index, memory.pencil, tasks);
+    }
 
     if (settings_.readback == Readback::sync) {
         Stopwatch watch;
@@ -136,6 +137,33 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
     std::rethrow_exception(error);
 }
 
+/// OpenGL's certain items, and the CPU's where it is not.
+void HybridItems::find_exact(ViewMemory& memory, Tasks& tasks)
+{
+    const auto width = std::size_t(memory.pencil.width);
+    exact_items_.resize(width * std::size_t(memory.pencil.height));
+    project_vertices(order_.world->position, memory, tasks);
+    std::span<const ListedSample> uncertain;
+    {
+        Stopwatch watch;
+        const Current current(context_);
+        if (!certified_) certified_.emplace(context_);
+        scene_.lend_eye_space(*order_.world, order_.pencil, memory.corner.span());
+        certified_->draw(scene_, order_.pencil);
+        times_.draw_ms += watch.lap_ms();
+        certified_->read_items(exact_items_.span());
+        uncertain = certified_->read_uncertain();
+        times_.transfer_ms += watch.lap_ms();
+    }
+    Stopwatch watch;
+    decided_.resize(uncertain.size());
+    find_listed_items(memory, uncertain, lazy_, decided_.span(), tasks);
+    for (std::size_t k = 0; k < uncertain.size(); ++k)
+        exact_items_[uncertain[k].y * width + uncertain[k].x] = decided_[k];
+    times_.uncertain += uncertain.size();
+    rows_ = memory.pencil.height;
+}
+
 std::size_t HybridItems::wait(const ViewMemory& memory)
 {
     const int reach = reach_of(multisample_);
@@ -156,7 +184,9 @@ std::size_t HybridItems::wait(const ViewMemory& memory)
 void HybridItems::tile(const ViewMemory& memory, int tile, ItemTile& out,
     std::span<std::uint64_t> holes, std::size_t /*worker*/)
 {
-    multisample_tile(memory, readback_->picture(), tile, multisample_, out, holes);
+    const bool exact = multisample_ == Multisample::exact;
+    multisample_tile(
+        memory, exact ? exact_items_.span() : readback_->picture(), tile, multisample_, out, holes);
 }
 
 HybridTimes HybridItems::take_times()

@@ -1,6 +1,7 @@
 // hybrid_items.h - items drawn by OpenGL, for the rays of the CPU.
 #pragma once
 
+#include "gl/certified_items.h"
 #include "gl/item_pass.h"
 #include "gl/item_readback.h"
 #include "gl/job_thread.h"
@@ -18,9 +19,10 @@ namespace firsthit::gl {
 
 /// Where a frame's time on OpenGL went. Milliseconds, summed over the frame's parts.
 struct HybridTimes {
-    double draw_ms = 0;     // vertices posed, triangles sent to the driver
-    double transfer_ms = 0; // from there to the last item in host memory: raster and transfer
-    double waiting_ms = 0;  // how long of all this the rays had to wait
+    double draw_ms = 0;          // vertices posed, triangles sent to the driver
+    double transfer_ms = 0;      // from there to the last item in host memory: raster and transfer
+    double waiting_ms = 0;       // how long of all this the rays had to wait
+    std::uint64_t uncertain = 0; // samples that the CPU decided
 };
 
 /// The item source of the hybrid engine: draws the part's items, reads them back and repairs tile
@@ -29,6 +31,9 @@ struct HybridTimes {
 /// sync    everything is done by the caller's thread before start() returns.
 /// async   OpenGL has a thread of its own. Meanwhile start() moves the vertices that rays are
 ///         tested against; tiles are ready as soon as the rows around them are there.
+///
+/// Multisample::exact: items that OpenGL is certain of, the others decided by the CPU before start()
+///         returns: the cpu engine's items.
 ///
 /// source  Robert and Schoepke 2006, section 4.1
 class HybridItems final : public ItemSource {
@@ -58,17 +63,21 @@ class HybridItems final : public ItemSource {
     struct Order {
         const World* world = nullptr;
         Pencil pencil;
-        std::span<const glm::vec4> corner; // lent; empty: OpenGL poses
         DepthRange range;
     };
     void draw();
     void draw_and_read();
     void report(int rows);
+    void find_exact(ViewMemory& memory, Tasks& tasks);
 
     const Context& context_;
     SceneBuffers& scene_;
     std::optional<ItemPass> pass_; // while the context is there
     std::optional<ItemReadback> readback_;
+    std::optional<CertifiedItems> certified_; // made when first asked for
+    firsthit::Buffer<std::uint32_t> exact_items_;
+    firsthit::Buffer<std::uint32_t> decided_;
+    LazyMemory lazy_;
     Multisample multisample_ = Multisample::lazy3;
     OpenGlSettings settings_;
     Order order_;

@@ -23,7 +23,8 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
 
 /// The rays of one block of a tile.
 struct BlockRays {
-    real x0, y0; // of the block's first sample
+    real x0, y0;                   // of the block's origin
+    const BlockSamplesXY* samples; // from there
     real inv_f;
     real3 eye, right, down, forward;
 };
@@ -34,8 +35,16 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
     const TileFrame& frame = hits.frame;
     BlockRays rays;
     // Exact, as are all sample positions: multiples of 1/2 below 2^22.
-    rays.x0 = frame.x0 + static_cast<float>(block % blocks_x * kBlock);
-    rays.y0 = frame.y0 + static_cast<float>(block / blocks_x * kBlock);
+    if (hits.packed) {
+        const BlockPlace& place = hits.places[block];
+        rays.x0 = frame.x0 + place.x;
+        rays.y0 = frame.y0 + place.y;
+        rays.samples = place.samples;
+    } else {
+        rays.x0 = frame.x0 + static_cast<float>(block % blocks_x * kBlock);
+        rays.y0 = frame.y0 + static_cast<float>(block / blocks_x * kBlock);
+        rays.samples = &kBlockSamplesXY;
+    }
     rays.inv_f = frame.inv_f;
     rays.eye = from_glm(frame.eye);
     rays.right = from_glm(frame.world_from_eye[0]);
@@ -47,8 +56,8 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
 /// Of the samples [first, first + kLanes) of the block.
 FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
 {
-    return ray_direction(rays.x0 + load(kBlockSamplesXY.x + first),
-        rays.y0 + load(kBlockSamplesXY.y + first), rays.inv_f, rays.right, rays.down, rays.forward);
+    return ray_direction(rays.x0 + load(rays.samples->x + first),
+        rays.y0 + load(rays.samples->y + first), rays.inv_f, rays.right, rays.down, rays.forward);
 }
 
 } // namespace HWY_NAMESPACE

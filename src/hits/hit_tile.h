@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/tile_order.h"
+#include "hits/block_samples.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -30,6 +31,12 @@ struct TileFrame {
     glm::mat3 world_from_eye{1}; // columns: right, down, forward; orthonormal
 };
 
+/// Where the samples of a block are, where that is not a square of 8x8 in its turn.
+struct BlockPlace {
+    float x = 0, y = 0;                      // of its origin, in samples from the tile's first one
+    const BlockSamplesXY* samples = nullptr; // from there; all are multiples of 1
+};
+
 /// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. A sample
 /// without an item has t = +inf, u = v = 0.
 struct HitTile {
@@ -40,6 +47,17 @@ struct HitTile {
     const float* t = nullptr;            // depth along the view axis, world units
     const float* u = nullptr;            // weight of corner 1 (Embree's convention)
     const float* v = nullptr;            // weight of corner 2
+
+    /// Shading alone also takes packed samples (cpu/packed_tile.h): then `places` has a place for
+    /// each block, and `item` is null.
+    bool packed = false;
+    std::span<const BlockPlace> places;
+
+    std::size_t blocks() const
+    {
+        const auto blocks_x = std::size_t(size / kBlock);
+        return packed ? places.size() : blocks_x * blocks_x;
+    }
 };
 
 } // namespace firsthit

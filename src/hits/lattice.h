@@ -30,10 +30,10 @@ class Lattice {
     }
 
     /// Of the 8x8 pixels from (x, y) of the picture on, both from 0; bits in tile order.
-    constexpr std::uint64_t shot(int x, int y) const
-    {
-        return shot_[std::size_t((x + shift_ * y) % every_)];
-    }
+    constexpr std::uint64_t shot(int x, int y) const { return shot_[std::size_t(phase(x, y))]; }
+
+    /// Where in the lattice's period that is, 0 to N - 1; (phase, 0) is at the same place.
+    constexpr int phase(int x, int y) const { return (x + shift_ * y) % every_; }
 
     /// Pixel (x, y) of the picture is shot where (x + shift y) % N = 0.
     constexpr int shift() const { return shift_; }

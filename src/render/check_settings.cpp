@@ -20,6 +20,7 @@ constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28;
 constexpr int kMaxSamples = 16;
 constexpr int kMinMap = 16, kMaxMap = 8192;
 constexpr int kMaxFilter = 15;
+constexpr int kMaxChunks = 64;
 
 void check_shadows(const Settings& settings)
 {
@@ -36,6 +37,17 @@ void check_shadows(const Settings& settings)
     if (settings.shadow_filter < 1 || settings.shadow_filter > kMaxFilter)
         throw ArgumentError(fmt::format(
             "shadow filter {} is out of range: 1 to {}", settings.shadow_filter, kMaxFilter));
+}
+
+void check_opengl(const Settings& settings)
+{
+    if (settings.engine == Engine::gpu && settings.shadows == Shadows::exact)
+        throw ArgumentError("the gpu engine has no exact shadows: accepted are maps or none, or "
+                            "another engine");
+    const int chunks = settings.opengl.readback_chunks;
+    if (chunks < 1 || chunks > kMaxChunks)
+        throw ArgumentError(
+            fmt::format("{} readback chunks is out of range: 1 to {}", chunks, kMaxChunks));
 }
 
 } // namespace
@@ -78,6 +90,7 @@ void check(const Settings& settings, std::size_t lights)
             fmt::format("interleave {} needs 1 sample, not {}: it shoots less than a ray a pixel",
                 settings.interleave, settings.samples));
     check_shadows(settings);
+    check_opengl(settings);
     if (std::find(settings.aovs.begin(), settings.aovs.end(), Aov::lit) == settings.aovs.end())
         return;
     if (lights == 0)

@@ -2,8 +2,8 @@
 #include "base/instruction_set.h"
 #include "base/stopwatch.h"
 #include "base/tasks.h"
-#include "cpu/frame.h"
 #include "render/check_settings.h"
+#include "render/engines.h"
 #include "scene/check_light.h"
 #include "scene/pose.h"
 
@@ -26,7 +26,7 @@ struct Renderer::Impl {
         stats.vertices = world.position.size();
         stats.triangles = world.scene->triangle_count();
         try {
-            render_frame(world, filled, settings, memory, tasks, film, stats);
+            engines.render(world, filled, settings, tasks, film, stats);
         } catch (const std::bad_alloc&) {
             throw Error("not enough memory for a picture of this size");
         }
@@ -34,7 +34,7 @@ struct Renderer::Impl {
 
     Tasks tasks;
     World posed;
-    FrameMemory memory;
+    Engines engines;
     Stats stats;
     double pose_ms = 0; // since the last frame
 };
@@ -68,6 +68,11 @@ void Renderer::render(const World& world, const View& view, const Settings& sett
 const Stats& Renderer::stats() const
 {
     return impl_->stats;
+}
+
+const EngineInfo& Renderer::engine() const
+{
+    return impl_->engines.info();
 }
 
 int Renderer::threads() const

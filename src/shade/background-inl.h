@@ -31,7 +31,7 @@ inline void fill_background(
     const HitTile& hits, const glm::vec3& background, const ShadeTargets& targets)
 {
     constexpr int kMaxBlocks = (kMaxTile / kBlock) * (kMaxTile / kBlock);
-    const int blocks = (hits.size / kBlock) * (hits.size / kBlock);
+    const int blocks = static_cast<int>(hits.blocks());
     std::uint64_t covered[kMaxBlocks];
     for (int block = 0; block < blocks; ++block) covered[block] = 0;
     for (const HitRun& run : hits.runs) covered[run.block] |= run.samples;

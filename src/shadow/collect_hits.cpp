@@ -53,11 +53,14 @@ void collect(const HitTile& hits, const TileReceivers& receivers, const LightSpa
             q = lifted(space, q, receivers, at);
             const auto mask = truth_of_bits(lanes).lanes;
             const auto numbers = hn::RebindMask(du, mask);
-            hn::CompressStore(q.x.lanes, mask, d, chunk.x.data() + next);
-            hn::CompressStore(q.y.lanes, mask, d, chunk.y.data() + next);
-            hn::CompressStore(q.z.lanes, mask, d, chunk.z.data() + next);
-            hn::CompressStore(
-                hn::Iota(du, first_id + std::uint32_t(at)), numbers, du, chunk.id.data() + next);
+            // Whole registers, of which the next ones write over what is too much: some processors
+            // are very slow to compress straight to memory.
+            const auto keep = [&](real v, Buffer<float>& to) {
+                hn::StoreU(hn::Compress(v.lanes, mask), d, to.data() + next);
+            };
+            keep(q.x, chunk.x), keep(q.y, chunk.y), keep(q.z, chunk.z);
+            hn::StoreU(hn::Compress(hn::Iota(du, first_id + std::uint32_t(at)), numbers), du,
+                chunk.id.data() + next);
             next += hn::CountTrue(d, mask);
         }
     }

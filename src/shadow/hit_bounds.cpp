@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "shadow/hit_bounds.cpp"
 #include "base/simd.h"
 
-#include "shadow/ray_transform-inl.h"
+#include "shadow/hit_hull-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -77,49 +77,16 @@ HWY_INLINE void add_points(
     }
 }
 
-/// The nearest and farthest depth of a block, and how many of its samples have one.
-struct BlockDepths {
-    float nearest, farthest;
-    std::size_t hits;
-};
-
-HWY_INLINE BlockDepths block_depths(const float* t)
-{
-    const RealTag d;
-    const real infinity(FaceBounds::kInfinity);
-    real nearest = infinity, farthest(0.0f);
-    std::size_t hits = 0;
-    for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const real depth = load(t + first);
-        const truth hit = depth < infinity;
-        nearest = min(nearest, depth);
-        farthest = max(farthest, mix(real(0.0f), depth, hit));
-        hits += hn::CountTrue(d, hit.lanes);
-    }
-    return {hn::GetLane(hn::MinOfLanes(d, nearest.lanes)),
-        hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)), hits};
-}
-
-/// The hits of a block lie in the hull of eight points: its four corner rays at its nearest and at
-/// its farthest depth. Where all eight are on one face, so is the hull, and they bound it. False
-/// where they are not.
+/// Where all eight points around a block's hits are on one face, so are the hits, and the points
+/// bound them. False where they are not.
 HWY_INLINE bool add_hull(const LightFrame& light, const RayTransform& to, float x, float y,
-    const BlockDepths& depths, LaneBounds (&bounds)[kFaces])
+    const HitDepths& depths, LaneBounds (&bounds)[kFaces])
 {
-    constexpr int kPoints = 8, kRegisters = std::max(1, kPoints / kLanes);
-    constexpr float kSide = kBlock - 1;
-    alignas(64) static constexpr float kX[16] = {
-        0, kSide, 0, kSide, 0, kSide, 0, kSide, 0, kSide, 0, kSide, 0, kSide, 0, kSide};
-    alignas(64) static constexpr float kY[16] = {
-        0, 0, kSide, kSide, 0, 0, kSide, kSide, 0, 0, kSide, kSide, 0, 0, kSide, kSide};
-    alignas(64) static constexpr float kFar[16] = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
-    real3 p[kRegisters];
+    constexpr int kRegisters = HitHull::kRegisters;
+    const HitHull hull = hit_hull(to, x, y, kBlock, depths);
+    const real3(&p)[kRegisters] = hull.p;
     truth reached[kRegisters];
     for (int k = 0; k < kRegisters; ++k) {
-        const real t =
-            mix(real(depths.nearest), real(depths.farthest), load(kFar + k * kLanes) > real(0.5f));
-        p[k] = transform_points(
-            to, real(x) + load(kX + k * kLanes), real(y) + load(kY + k * kLanes), t);
         reached[k] = has_shadow_ray(p[k], light.parallel);
         if (!all(reached[k])) return false;
     }
@@ -149,7 +116,7 @@ void add_tile(const HitTile& hits, const LightFrame& light, LightBounds& total)
         const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
         const float* block_t = hits.t + block * kBlockSamples;
         if (!cone) {
-            const BlockDepths depths = block_depths(block_t);
+            const HitDepths depths = hit_depths(block_t, kBlockSamples);
             if (depths.hits == 0 || add_hull(light, to, x, y, depths, bounds)) continue;
         }
         for (int first = 0; first < kBlockSamples; first += kLanes) {

@@ -22,7 +22,7 @@ void find_lit(const World& world, const Settings& settings, const glm::dvec3& ey
     std::span<const HitTile> tiles, LitMemory& memory, Tasks& tasks)
 {
     if (memory.technique == Shadows::map)
-        update_maps(world, settings, memory.maps, tasks);
+        update_maps(world, settings, memory.maps, tasks, memory.map_maker);
     else
         test_exact_shadows(world, eye, tiles, memory.exact, tasks, memory.bits);
 }

@@ -20,6 +20,7 @@ struct LitMemory {
     ShadowMemory exact;
     LitBits bits; // of the exact technique
     ShadowMaps maps;
+    MapMaker* map_maker = nullptr; // null: our rasteriser
 };
 
 /// Begins a part of the picture.

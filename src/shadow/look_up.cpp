@@ -8,9 +8,10 @@
 #define HWY_TARGET_INCLUDE "shadow/look_up.cpp"
 #include "base/simd.h"
 
-#include "shadow/ray_transform-inl.h"
+#include "shadow/dark_tile-inl.h"
 #include "shadow/steepness-inl.h"
 
+#include <algorithm>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -24,6 +25,7 @@ namespace {
 struct MapView {
     RayTransform to; // (texel x, texel y, depth), see ShadowMap::matrix
     const float* depth = nullptr;
+    const FarthestDepths* farthest = nullptr;
     int width = 0;
     int height = 0;
     bool parallel = false;
@@ -44,6 +46,7 @@ MapView map_view(
     MapView view;
     view.to = ray_transform(hits.frame, map.matrix, map.origin, map.offset);
     view.depth = map.depth.data();
+    view.farthest = &map.farthest;
     view.width = map.width();
     view.height = map.height();
     view.parallel = light.frame.parallel;
@@ -148,8 +151,35 @@ void look_up_face(const MapView& face, const HitTile& hits, float* lit)
 {
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const real steepness = load(lit + offset);
-        store(facing_share(lit_share(face, x, y, first, t, steepness), steepness), lit + offset);
+        real share(0.0f);
+        if (any(steepness > share))
+            share = facing_share(lit_share(face, x, y, first, t, steepness), steepness);
+        store(share, lit + offset);
     });
+}
+
+/// Whether all hits of the tile, which are on one face, are in shadow. `lit` holds their steepness.
+bool is_dark(const MapView& map, const HitTile& hits, const HitDepths& depths, const float* lit)
+{
+    const HitHull hull = hit_hull(map.to, 0, 0, hits.size, depths);
+    const MapDepths under = depths_under(
+        hull, map.parallel, *map.farthest, map.width, map.height, 0.5f * float(map.filter) + 1.5f);
+    // The hits' own depths are rounded otherwise than the hull's; both are within epsilon's part for
+    // rounding.
+    const float before =
+        under.hits.least -
+        4 * (std::max(under.hits.greatest, -under.hits.least) * kRounding + map.rounding);
+    if (!(under.farthest < before)) return false;
+    if (map.bias >= 0) return under.farthest < before - map.bias;
+    real steepest(0.0f);
+    for_registers(hits, [&](float, float, int, int offset, real t) {
+        const truth hit = t < real(std::numeric_limits<float>::infinity());
+        steepest = max(steepest, mix(real(0.0f), load(lit + offset), hit));
+    });
+    const float at = map.parallel ? 1.0f : under.hits.greatest; // texel_epsilon, of the steepest
+    const float epsilon =
+        at * at * (hn::GetLane(hn::MaxOfLanes(RealTag(), steepest.lanes)) * map.reach);
+    return under.farthest < before - 1.0001f * epsilon;
 }
 
 /// The same, each point on its own face.
@@ -173,17 +203,9 @@ void look_up_faces(
 
 /// The face that all hits of the tile are on, or -1 where they may be on several: the hull of its
 /// corner rays between the least and the greatest depth is on a face if its corners are.
-int common_face(const LightFrame& frame, const HitTile& hits)
+int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& depths)
 {
-    const RealTag d;
-    const real infinity(std::numeric_limits<float>::infinity());
-    real nearest = infinity, farthest(0.0f);
-    for_registers(hits, [&](float, float, int, int, real t) {
-        nearest = min(nearest, t);
-        farthest = max(farthest, mix(real(0.0f), t, t < infinity));
-    });
-    const double depth[2] = {double(hn::GetLane(hn::MinOfLanes(d, nearest.lanes))),
-        double(hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)))};
+    const double depth[2] = {double(depths.nearest), double(depths.farthest)};
     const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
     int common = -1;
     for (int corner = 0; corner < 8; ++corner) {
@@ -214,6 +236,9 @@ void darken_outside(const LightFrame& frame, const HitTile& hits, float* lit)
 void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World& world,
     const HitTile& hits, float* lit)
 {
+    const int samples = hits.size * hits.size;
+    const HitDepths depths = hit_depths(hits.t, samples);
+    if (depths.hits == 0) return;
     spread_steepness(hits, world, light.frame, lit);
     MapView face[kFaces];
     int faces = 0, only = -1;
@@ -223,11 +248,13 @@ void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World&
         ++faces;
         only = k;
     }
-    if (faces > 1) only = common_face(light.frame, hits);
-    if (only >= 0 && face[only].width > 0)
-        look_up_face(face[only], hits, lit);
-    else
+    if (faces > 1) only = common_face(light.frame, hits, depths);
+    if (only < 0 || face[only].width == 0)
         look_up_faces(light.frame, face, hits, lit);
+    else if (is_dark(face[only], hits, depths, lit))
+        std::fill_n(lit, samples, 0.0f);
+    else
+        look_up_face(face[only], hits, lit);
     if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);
 }
 

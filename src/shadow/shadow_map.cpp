@@ -52,8 +52,12 @@ void raster_part(
         raster_depth(view, int(tile), depth);
         const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
         store_depth(depth, view.pencil,
-            {&map.depth[quad_offset(part.x + x, part.y + y, map.width())], quads(map.width()),
-                std::min(kTile, part.width - x), std::min(kTile, part.height - y)});
+            {.depth = &map.depth[quad_offset(part.x + x, part.y + y, map.width())],
+                .quads_x = quads(map.width()),
+                .farthest = &map.farthest.at((part.x + x) / kCellSide, (part.y + y) / kCellSide),
+                .cells_x = map.farthest.across,
+                .width = std::min(kTile, part.width - x),
+                .height = std::min(kTile, part.height - y)});
     });
 }
 
@@ -63,35 +67,16 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
     const std::size_t texels =
         std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
     map.depth.resize(texels, texels / 2); // what hits fill of a face changes from frame to frame
+    map.farthest.resize(map.width(), map.height());
     maps.view.pencil = pencil;
     raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
-    ++maps.updates;
-}
-
-void update_light(const World& world, const Settings& settings, std::size_t number,
-    ShadowMaps& maps, Tasks& tasks)
-{
-    ShadowLight& light = maps.light[number];
-    LightBounds bounds;
-    for (std::size_t face = 0; face < bounds.size(); ++face)
-        for (const auto& worker : maps.workers) bounds[face].add(worker->bounds[number][face]);
-    merge_faces(bounds);
-    for (int face = 0; face < kFaces; ++face) {
-        ShadowMap& map = light.map[std::size_t(face)];
-        const MapSource wanted{light.frame,
-            map_fit(bounds[std::size_t(face)], settings.shadow_map_size, settings.shadow_filter),
-            maps.geometry.version};
-        maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
-        if (wanted == map.source) continue;
-        map.source = wanted;
-        if (wanted.fit.width > 0) make_map(world, face, maps, map, tasks);
-    }
 }
 
 } // namespace
 
 void start_maps(const World& world, int threads, ShadowMaps& maps)
 {
+    if (!maps.complete) maps.light.clear();
     maps.light.resize(world.lights.size());
     for (std::size_t light = 0; light < maps.light.size(); ++light)
         maps.light[light].frame = light_frame(world.lights[light]);
@@ -109,15 +94,52 @@ void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker)
         add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
 }
 
-void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks)
+void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
+    ShadowMaps& maps, Tasks& tasks)
 {
+    if (!maps.complete) maps.light.clear();
+    maps.complete = false;
     maps.filter = settings.shadow_filter;
     maps.bias = settings.shadow_bias;
     maps.texels = 0;
+    maps.changed.clear();
+    maps.light.resize(world.lights.size());
     if (maps.light.empty()) return;
     follow(world, maps.geometry, tasks);
-    for (std::size_t light = 0; light < maps.light.size(); ++light)
-        update_light(world, settings, light, maps, tasks);
+    for (std::size_t number = 0; number < maps.light.size(); ++number) {
+        ShadowLight& light = maps.light[number];
+        light.frame = light_frame(world.lights[number]);
+        merge_faces(bounds[number]);
+        for (int face = 0; face < kFaces; ++face) {
+            ShadowMap& map = light.map[std::size_t(face)];
+            const MapSource wanted{light.frame,
+                map_fit(bounds[number][std::size_t(face)], settings.shadow_map_size,
+                    settings.shadow_filter),
+                maps.geometry.version};
+            maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
+            if (wanted == map.source) continue;
+            map.source = wanted;
+            if (wanted.fit.width > 0) maps.changed.push_back({number, face});
+        }
+    }
+}
+
+void update_maps(
+    const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks, MapMaker* maker)
+{
+    maps.bounds.assign(world.lights.size(), LightBounds{});
+    for (const auto& worker : maps.workers)
+        for (std::size_t light = 0; light < maps.bounds.size(); ++light)
+            for (std::size_t face = 0; face < kFaces; ++face)
+                maps.bounds[light][face].add(worker->bounds[light][face]);
+    plan_maps(world, settings, maps.bounds, maps, tasks);
+    if (maker)
+        maker->make(world, maps, tasks);
+    else
+        for (const MapNumber& k : maps.changed)
+            make_map(world, k.face, maps, map_of(maps, k), tasks);
+    maps.updates += maps.changed.size();
+    maps.complete = true;
 }
 
 } // namespace firsthit

@@ -15,6 +15,7 @@
 #include "hits/hit_tile.h"
 #include "shadow/geometry_copy.h"
 #include "shadow/map_fit.h"
+#include "shadow/map_maker.h"
 #include "shadow/store_depth.h"
 #include "visibility/view_memory.h"
 
@@ -22,6 +23,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace firsthit {
@@ -39,6 +41,7 @@ struct MapSource {
 struct ShadowMap {
     MapSource source;
     Buffer<float> depth; // along the face's z from `origin`, +inf where nothing is; see quad_offset
+    FarthestDepths farthest;
     // matrix * (p - origin) + offset: (texel x, texel y, depth) of p; the first two times the depth
     // unless the light is parallel. Texel i reaches from i to i + 1.
     glm::dmat3 matrix{1};
@@ -55,6 +58,12 @@ struct ShadowLight {
     std::array<ShadowMap, kFaces> map; // width 0: no hit is there
 };
 
+/// One face of one light of a world.
+struct MapNumber {
+    std::size_t light = 0;
+    int face = 0;
+};
+
 /// The maps of all lights and the memory that making them takes.
 struct ShadowMaps {
     std::vector<ShadowLight> light; // as the world's
@@ -63,6 +72,10 @@ struct ShadowMaps {
 
     std::uint64_t updates = 0; // maps made so far
     std::uint64_t texels = 0;  // of the maps in use
+
+    std::vector<LightBounds> bounds; // (lights) of all workers' hits
+    std::vector<MapNumber> changed;  // that are to be made
+    bool complete = false;           // all maps are what their sources say
 
     GeometryCopy geometry;
     ViewMemory view;
@@ -73,6 +86,11 @@ struct ShadowMaps {
     std::vector<std::unique_ptr<Worker>> workers;
 };
 
+inline ShadowMap& map_of(ShadowMaps& maps, const MapNumber& number)
+{
+    return maps.light[number.light].map[std::size_t(number.face)];
+}
+
 /// Begins a frame: the lights where they are now, and no hits yet.
 void start_maps(const World& world, int threads, ShadowMaps& maps);
 
@@ -82,6 +100,14 @@ void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker);
 /// Makes the maps that are not what the world's triangles and lights, the hits and
 /// settings.shadow_map_size and .shadow_filter ask for. A map stays where its light, the triangles
 /// and its fit (map_fit.h) have not changed. Does not depend on threads or earlier frames.
-void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks);
+/// maker  null: our rasteriser
+void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks,
+    MapMaker* maker = nullptr);
+
+/// The first half of that: gives every map its source, and lists in maps.changed those that are not
+/// what it says. Who has made them sets maps.complete.
+/// bounds  (lights) of the visible hits
+void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
+    ShadowMaps& maps, Tasks& tasks);
 
 } // namespace firsthit

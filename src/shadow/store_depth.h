@@ -26,14 +26,37 @@ constexpr std::size_t quad_offset(int x, int y, int width)
            std::size_t(y % 4 * 4 + x % 4);
 }
 
-/// A rectangle of a map that starts at a quad and lies inside one tile.
+inline constexpr int kCellSide = 16; // texels
+
+/// (cells down, cells across) the farthest depth of each. Texels beyond the map's edge may count.
+struct FarthestDepths {
+    int across = 0;
+    Buffer<float> depth;
+
+    /// Of a map of that many texels. Allocates where it is larger than before.
+    void resize(int width, int height)
+    {
+        across = (width + kCellSide - 1) / kCellSide;
+        const auto cells = std::size_t(across) * std::size_t((height + kCellSide - 1) / kCellSide);
+        depth.resize(cells, cells / 2);
+    }
+    float& at(int x, int y) { return depth[std::size_t(y * across + x)]; }
+    float at(int x, int y) const { return depth[std::size_t(y * across + x)]; }
+};
+
+/// Finds them where the depths came from elsewhere. depth: a map's, see quad_offset
+void find_farthest(const float* depth, int width, int height, FarthestDepths& farthest);
+
+/// A rectangle of a map that starts at a cell and lies inside one tile.
 struct MapWindow {
     float* depth;      // of its first texel
     int quads_x;       // of the map
+    float* farthest;   // of its first cell
+    int cells_x;       // of the map
     int width, height; // texels
 };
 
-/// Turns the tile's 1/t into depth (+inf where nothing is) and writes it.
+/// Turns the tile's 1/t into depth (+inf where nothing is) and writes it, and the cells' farthest.
 void store_depth(const DepthTile& tile, const Pencil& pencil, const MapWindow& window);
 
 } // namespace firsthit

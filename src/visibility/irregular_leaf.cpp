@@ -6,6 +6,7 @@
 
 #include "visibility/irregular_leaf.h"
 #include "visibility/leaf_kernels-inl.h"
+#include "visibility/seen_register-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,15 +35,6 @@ HWY_INLINE std::uint32_t find_slots(std::span<const SeenTriangle> triangles,
     const Group d;
     const hn::RebindToSigned<Group> w;
     const int lanes = int(hn::Lanes(d));
-    constexpr int kStride = int(sizeof(SeenTriangle) / sizeof(float));
-    SeenTriangle spare[kGroup];
-    const SeenTriangle* from = triangles.data();
-    if (triangles.size() < kGroup) {
-        for (std::size_t i = 0; i < kGroup; ++i)
-            spare[i] = triangles[std::min(i, triangles.size() - 1)];
-        from = spare;
-    }
-    const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, kStride));
     const auto slot_of = [&](auto v, const Slots& axis) { // as Slots::of
         const auto at = hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale));
         const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
@@ -50,20 +42,14 @@ HWY_INLINE std::uint32_t find_slots(std::span<const SeenTriangle> triangles,
     };
     std::uint32_t chosen = 0;
     for (int k = 0; k < kGroup; k += lanes) {
-        const auto field = [&](const float& first) { return hn::GatherIndex(d, &first, steps); };
-        const auto x0 = field(from[k].x0), y0 = field(from[k].y0), x1 = field(from[k].x1),
-                   y1 = field(from[k].y1), nearest = field(from[k].nearest_w);
-        const auto meets = hn::And(
-            hn::And(hn::Le(x0, hn::Set(d, bounds.x1)), hn::Ge(x1, hn::Set(d, bounds.x0))),
-            hn::And(hn::And(hn::Le(y0, hn::Set(d, bounds.y1)), hn::Ge(y1, hn::Set(d, bounds.y0))),
-                hn::Not(hn::Lt(nearest, hn::Set(d, bounds.farthest_w)))));
-        chosen |= std::uint32_t(bits(d, meets)) << k;
+        const SeenRegister box = load_seen(triangles, std::size_t(k));
+        chosen |= std::uint32_t(bits(d, may_shadow(box, bounds))) << k;
         const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
-        hn::Store(slot_of(hn::Sub(x0, x), slots.x), w, seen.slot[0] + k);
-        hn::Store(slot_of(hn::Sub(y0, y), slots.y), w, seen.slot[1] + k);
-        hn::Store(slot_of(hn::Sub(x1, x), slots.x), w, seen.slot[2] + k);
-        hn::Store(slot_of(hn::Sub(y1, y), slots.y), w, seen.slot[3] + k);
-        hn::Store(slot_of(nearest, slots.w), w, seen.slot[4] + k);
+        hn::Store(slot_of(hn::Sub(box.x0, x), slots.x), w, seen.slot[0] + k);
+        hn::Store(slot_of(hn::Sub(box.y0, y), slots.y), w, seen.slot[1] + k);
+        hn::Store(slot_of(hn::Sub(box.x1, x), slots.x), w, seen.slot[2] + k);
+        hn::Store(slot_of(hn::Sub(box.y1, y), slots.y), w, seen.slot[3] + k);
+        hn::Store(slot_of(box.nearest_w, slots.w), w, seen.slot[4] + k);
     }
     if (triangles.size() < kGroup) chosen &= (1u << triangles.size()) - 1;
     return chosen;

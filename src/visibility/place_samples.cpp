@@ -4,6 +4,7 @@
 #include "base/simd.h"
 
 #include "visibility/irregular_cells.h"
+#include "visibility/seen_register-inl.h"
 
 #include <algorithm>
 
@@ -12,8 +13,7 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Reals = hn::CappedTag<float, 16>;
+using Reals = SeenTag;
 using Whole = hn::RebindToSigned<Reals>;
 
 /// Samples [k, k + lanes); the last ones of a short register repeat the first.
@@ -65,25 +65,8 @@ void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
 {
     const Reals d;
     const Whole w;
-    const std::size_t lanes = hn::Lanes(d);
-    constexpr std::size_t kStride = sizeof(SeenTriangle) / sizeof(float);
-    const auto steps = hn::Mul(hn::Iota(w, 0), hn::Set(w, std::int32_t(kStride)));
-    for (std::size_t k = 0; k < triangles.size(); k += lanes) {
-        // The last register repeats the last triangle, so that it stays inside.
-        SeenTriangle spare[16];
-        const SeenTriangle* from = &triangles[k];
-        if (k + lanes > triangles.size()) {
-            for (std::size_t i = 0; i < lanes; ++i)
-                spare[i] = triangles[std::min(k + i, triangles.size() - 1)];
-            from = spare;
-        }
-        const auto field = [&](const float& first) { return hn::GatherIndex(d, &first, steps); };
-        const auto x0 = field(from->x0), y0 = field(from->y0), x1 = field(from->x1),
-                   y1 = field(from->y1), nearest = field(from->nearest_w);
-        const auto meets = hn::And(
-            hn::And(hn::Le(x0, hn::Set(d, bounds.x1)), hn::Ge(x1, hn::Set(d, bounds.x0))),
-            hn::And(hn::And(hn::Le(y0, hn::Set(d, bounds.y1)), hn::Ge(y1, hn::Set(d, bounds.y0))),
-                hn::Not(hn::Lt(nearest, hn::Set(d, bounds.farthest_w)))));
+    for (std::size_t k = 0; k < triangles.size(); k += hn::Lanes(d)) {
+        const SeenRegister box = load_seen(triangles, k);
         const auto column = [&](auto v) {
             return hn::ConvertTo(w, cell_along(v, grid.x0, grid.scale_x, grid.columns));
         };
@@ -91,9 +74,10 @@ void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
             return hn::ConvertTo(w, cell_along(v, grid.y0, grid.scale_y, grid.rows));
         };
         const auto none = hn::Set(w, 0x000000FF); // column0 255, column1 0
-        const auto packed = hn::Or(hn::Or(column(x0), hn::ShiftLeft<8>(row(y0))),
-            hn::Or(hn::ShiftLeft<16>(column(x1)), hn::ShiftLeft<24>(row(y1))));
-        const auto chosen = hn::IfThenElse(hn::RebindMask(w, meets), packed, none);
+        const auto packed = hn::Or(hn::Or(column(box.x0), hn::ShiftLeft<8>(row(box.y0))),
+            hn::Or(hn::ShiftLeft<16>(column(box.x1)), hn::ShiftLeft<24>(row(box.y1))));
+        const auto chosen =
+            hn::IfThenElse(hn::RebindMask(w, may_shadow(box, bounds)), packed, none);
         hn::StoreU(chosen, w, reinterpret_cast<std::int32_t*>(rect + k));
     }
 }

@@ -82,6 +82,8 @@ expect_files i.npy d.npy uv.exr n.npy g.exr p.npy al.exr t.exr i.exr b.npy
 expect 0 '' render builtin:robots --size 8x8 --frames 0:2:3 -o f_%03d.png --aov item=f_%03d.npy
 expect_files f_000.png f_001.png f_002.png f_000.npy f_001.npy f_002.npy
 expect 0 'tile entries' render builtin:torus --size 16x16 --stats
+expect 0 '"interpolated": 128' render builtin:torus --size 16x16 --interleave 2 --stats-json -
+expect 0 '"interpolated": 0' render builtin:torus --size 16x16 --interleave 2 --no-interpolate --stats-json -
 expect 0 '"exact_calls"' render builtin:torus --size 16x16 --stats-json -
 expect 0 '' render builtin:torus --size 16x16 --stats-json s.json
 grep -q '"raster_ms"' s.json || fail "s.json has no raster_ms"
@@ -170,6 +172,11 @@ done
 for value in 0 17 -1 two 1.5; do
     expect 2 '--samples' render builtin:torus -o a.png --samples "$value"
 done
+for value in 0 17 -1 two 1.5; do
+    expect 2 '--interleave' render builtin:torus -o a.png --interleave "$value"
+done
+expect 2 'none, lazy3, lazy5, full3, full5 or exact' render builtin:torus -o a.png --multisample lazy7
+expect 2 '--interleave' render builtin:torus -o a.png --interleave 2 --samples 2
 for value in -1 1025 many; do
     expect 2 '--threads' render builtin:torus -o a.png --threads "$value"
 done

@@ -125,6 +125,31 @@ TEST(Interleaving, ShootsTheLatticeAndFillsTheRest)
     }
 }
 
+TEST(Interleaving, ShootsTheSameRaysWithAnyLights)
+{
+    Robots robots;
+    Light lamp, spot, sun;
+    lamp.position = {1, 6, 2};
+    spot.kind = Light::Kind::spot;
+    spot.position = {0, 7, 0};
+    sun.kind = Light::Kind::directional;
+    sun.direction = {-0.4, -1, 0.3};
+    robots.world.lights = {lamp, spot, sun};
+    for (const Shadows shadows : {Shadows::none, Shadows::exact}) {
+        Settings settings;
+        settings.shadows = shadows;
+        settings.interpolate = false;
+        const std::vector<float> whole = robots.render(settings).film.color.value;
+        settings.interleave = 3;
+        const std::vector<float> third = robots.render(settings).film.color.value;
+        for (int y = 0; y < robots.view.height; ++y)
+            for (int x = (3 - y % 3) % 3; x < robots.view.width; x += 3)
+                ASSERT_EQ(third[std::size_t(y * robots.view.width + x) * 3],
+                    whole[std::size_t(y * robots.view.width + x) * 3])
+                    << x << " " << y;
+    }
+}
+
 TEST(Interleaving, MakesTheSameBitsWithAnyThreadsAndTiles)
 {
     const Robots robots;

@@ -23,7 +23,9 @@ struct Variant {
 /// All that the library compiles: a new shader or define gets its line here.
 std::vector<Variant> all_variants()
 {
-    std::vector<Variant> variants = {{"item.vert", {{"COLORS", "0"}}},
+    std::vector<Variant> variants = {{"certify.vert", {}}, {"scatter.vert", {}},
+        {"scatter.frag", {}}, {"certify.geom", {}}, {"certify.frag", {{"DOUBTS", "0"}}},
+        {"certify.frag", {{"DOUBTS", "1"}}}, {"item.vert", {{"COLORS", "0"}}},
         {"item.frag", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "1"}}},
         {"pose.comp", {{"SURFACES", "0"}}}, {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}},
         {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},

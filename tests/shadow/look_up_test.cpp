@@ -25,6 +25,32 @@ TestWorld room()
     return world;
 }
 
+/// A floor under a roof that slopes down to it on the left and ends on the right, with a hut between
+/// them: whole tiles are dark, some nearly.
+TestWorld roofed()
+{
+    TestWorld world;
+    add_quad(world, {-4, 2, 2}, {8, 0, 0}, {0, 0, 8});
+    add_quad(world, {-4, 1.999f, 1}, {5, -3, 0}, {0, 0, 9});
+    add_box(world, {-0.5f, 1.6f, 5}, {0, 2, 6});
+    world.finish();
+    return world;
+}
+
+/// A table before a wall, lit from above, and the dark floor under it: a tile sees both, and its part
+/// of the map nothing but the table.
+TestWorld table()
+{
+    TestWorld world;
+    add_quad(world, {-12, 2, 2}, {24, 0, 0}, {0, 0, 18});
+    add_quad(world, {-12, 1, 3.3f}, {24, 0, 0}, {0, 0, 16});
+    add_quad(world, {-12, 1, 12}, {24, 0, 0}, {0, -7, 0});
+    add_quad(
+        world, {-12, -1, -2}, {24, 0, 0}, {0, 0, 5.3f}); // a roof over the eye, up to the table
+    world.finish();
+    return world;
+}
+
 std::vector<Case> cases()
 {
     return {
@@ -33,6 +59,8 @@ std::vector<Case> cases()
         {"directional light", box_over_floor, directional_light({1, 2, 0.5})},
         {"directional light along an axis", box_over_floor, directional_light({0, 3, 0})},
         {"spot light", box_over_floor, spot_light({1, -3, 5}, {-0.2, 1, 0.2}, 0.5)},
+        {"point light above a roof", roofed, point_light({0, -6, 5})},
+        {"directional light above a roof", roofed, directional_light({0.2, 2, 0.1})},
         {"wide spot light", room, spot_light({0, -1.9, 4}, {0, 1, 0}, 1.4)},
     };
 }
@@ -127,6 +155,22 @@ TEST(LookUp, SaysWhatRaysThroughTheTexelsSay)
             EXPECT_EQ(count.between > 0, filter > 1);
         }
     }
+}
+
+TEST(LookUp, DoesNotTakeATileForDarkThatIsDarkInPart)
+{
+    TestWorld world = table();
+    world.world.lights = {directional_light({0, 2, 0})};
+    Tasks tasks(1);
+    const HitPicture picture(world.world, small_view(), tasks, 32);
+    Settings settings;
+    settings.shadow_map_size = 120;
+    ShadowMaps maps;
+    make_maps(world.world, picture, settings, tasks, maps);
+    const Agreement count = agreement(maps, world.world, picture);
+    EXPECT_EQ(count.wrong, 0);
+    EXPECT_GT(count.lit, 500);
+    EXPECT_GT(count.dark, 500);
 }
 
 TEST(LookUp, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)

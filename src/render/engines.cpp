@@ -1,0 +1,105 @@
+// engines.cpp - which engine makes a frame.
+#include "render/engines.h"
+
+#ifdef FIRSTHIT_GL
+#include "render/opengl_engines.h"
+#endif
+
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
+namespace firsthit {
+
+#ifndef FIRSTHIT_GL
+class OpenGlEngines {};
+#endif
+
+Engines::Engines() = default;
+Engines::~Engines() = default;
+
+OpenGlEngines& Engines::opengl()
+{
+#ifdef FIRSTHIT_GL
+    if (!opengl_) opengl_ = std::make_unique<OpenGlEngines>();
+    return *opengl_;
+#else
+    throw DeviceError("this build has no OpenGL (FIRSTHIT_BUILD_GL=OFF)");
+#endif
+}
+
+/// Sets refusal_ where the answer is no.
+bool Engines::has_hardware()
+{
+    if (!refusal_.empty()) return false;
+    try {
+#ifdef FIRSTHIT_GL
+        if (opengl().is_hardware()) return true;
+        refusal_ = fmt::format("OpenGL runs on no hardware here: {}", opengl().device());
+#else
+        opengl();
+#endif
+    } catch (const DeviceError& error) {
+        refusal_ = error.what();
+    }
+    opengl_.reset(); // nobody asked for it
+    return false;
+}
+
+void Engines::render_by(
+    Engine engine, const World& world, const View& view, Tasks& tasks, Film& film, Stats& stats)
+{
+    info_.engine = engine;
+    info_.device.clear();
+    settings_.engine = engine;
+    if (settings_.shadows == Shadows::automatic)
+        settings_.shadows = engine == Engine::cpu ? Shadows::exact : Shadows::map;
+    if (engine == Engine::cpu) {
+        render_frame(world, view, settings_, memory_, tasks, film, stats);
+        return;
+    }
+    try {
+        OpenGlEngines& engines = opengl();
+#ifdef FIRSTHIT_GL
+        info_.device = engines.device();
+        if (engine == Engine::gpu)
+            engines.render_gpu(world, view, settings_, tasks, film, stats);
+        else
+            engines.render_hybrid(world, view, settings_, memory_, tasks, film, stats);
+#else
+        (void)engines;
+#endif
+    } catch (const DeviceError&) {
+        opengl_.reset(); // a lost context, or no memory: the next frame starts anew
+        throw;
+    }
+}
+
+void Engines::render(const World& world, const View& view, const Settings& settings, Tasks& tasks,
+    Film& film, Stats& stats)
+{
+    settings_ = settings;
+    info_.reason.clear();
+    if (settings.engine != Engine::automatic) {
+        render_by(settings.engine, world, view, tasks, film, stats);
+        return;
+    }
+    if (settings.shadows == Shadows::exact) {
+        info_.reason = "exact shadows are made by the cpu engine";
+    } else if (has_hardware()) {
+        const Stats before = stats;
+        try {
+            info_.reason = "OpenGL runs on hardware here";
+            render_by(Engine::gpu, world, view, tasks, film, stats);
+            return;
+        } catch (const DeviceError& error) {
+            refusal_ = error.what();
+            stats = before;
+            settings_ = settings;
+        }
+    }
+    if (settings.shadows != Shadows::exact) info_.reason = refusal_;
+    render_by(Engine::cpu, world, view, tasks, film, stats);
+}
+
+} // namespace firsthit

@@ -1,0 +1,60 @@
+// opengl_engines.h - the engines that run on OpenGL, and what they keep from frame to frame.
+#pragma once
+
+#include "base/tasks.h"
+#include "cpu/frame.h"
+#include "gl/certified_gpu_items.h"
+#include "gl/context.h"
+#include "gl/drawn_items.h"
+#include "gl/gpu_frame.h"
+#include "gl/hybrid_items.h"
+#include "gl/hybrid_maps.h"
+
+#include <firsthit/render.h>
+
+#include <optional>
+#include <string>
+
+namespace firsthit {
+
+/// A context and what was made on it so far. Each engine is made when first asked for.
+class OpenGlEngines {
+  public:
+    /// throws  DeviceError: no context
+    OpenGlEngines() = default;
+    ~OpenGlEngines();
+
+    bool is_hardware() const { return context_.is_hardware(); }
+    /// Renderer and version.
+    std::string device() const;
+
+    /// The cpu engine's frame (cpu/frame.h) with items and shadow maps of OpenGL.
+    void render_hybrid(const World& world, const View& view, const Settings& settings,
+        FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats);
+
+    /// gl/gpu_frame.h
+    /// maps  of the cpu engine, to be used instead of drawing them; or null
+    void render_gpu(const World& world, const View& view, const Settings& settings, Tasks& tasks,
+        Film& film, Stats& stats, gl::GpuItems* items = nullptr, const ShadowMaps* maps = nullptr);
+
+  private:
+    /// The members make the context current by themselves.
+    struct Hybrid {
+        explicit Hybrid(const gl::Context& context, gl::SceneBuffers& scene)
+            : items(context, scene),
+              maps(context, scene)
+        {
+        }
+        gl::HybridItems items;
+        gl::HybridMaps maps;
+    };
+
+    gl::Context context_;
+    std::optional<gl::SceneBuffers> scene_; // of the hybrid engine
+    std::optional<Hybrid> hybrid_;
+    std::optional<gl::GpuFrame> gpu_;
+    std::optional<gl::DrawnItems> drawn_items_;
+    std::optional<gl::CertifiedGpuItems> certified_items_;
+};
+
+} // namespace firsthit

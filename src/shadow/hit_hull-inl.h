@@ -1,0 +1,71 @@
+// hit_hull-inl.h - what bounds the hits of a block, or of a tile: eight points around them.
+#if defined(FIRSTHIT_SHADOW_HIT_HULL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_SHADOW_HIT_HULL_INL_H_
+#undef FIRSTHIT_SHADOW_HIT_HULL_INL_H_
+#else
+#define FIRSTHIT_SHADOW_HIT_HULL_INL_H_
+#endif
+
+#include "shadow/ray_transform-inl.h"
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+/// The nearest and farthest depth of some samples, and how many of them have one.
+struct HitDepths {
+    float nearest, farthest;
+    std::size_t hits;
+};
+
+/// samples  a multiple of 64
+HWY_INLINE HitDepths hit_depths(const float* t, int samples)
+{
+    const RealTag d;
+    const real infinity(std::numeric_limits<float>::infinity());
+    real nearest = infinity, farthest(0.0f);
+    std::size_t hits = 0;
+    for (int first = 0; first < samples; first += kLanes) {
+        const real depth = load(t + first);
+        const truth hit = depth < infinity;
+        nearest = min(nearest, depth);
+        farthest = max(farthest, mix(real(0.0f), depth, hit));
+        hits += hn::CountTrue(d, hit.lanes);
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, nearest.lanes)),
+        hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)), hits};
+}
+
+/// The hits of a square of samples lie in the hull of eight points: its four corner rays at its
+/// nearest and at its farthest depth. Some may be there twice, to fill a register.
+struct HitHull {
+    static constexpr int kRegisters = std::max(1, 8 / kLanes);
+    real3 p[kRegisters];
+};
+
+/// Of `side` x `side` samples from (x, y) of the tile on, in the space of `to`.
+HWY_INLINE HitHull hit_hull(
+    const RayTransform& to, float x, float y, int side, const HitDepths& depths)
+{
+    alignas(64) static constexpr float kX[16] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+    alignas(64) static constexpr float kY[16] = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+    alignas(64) static constexpr float kFar[16] = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
+    const real last(float(side - 1));
+    HitHull hull;
+    for (int k = 0; k < HitHull::kRegisters; ++k) {
+        const real t =
+            mix(real(depths.nearest), real(depths.farthest), load(kFar + k * kLanes) > real(0.5f));
+        hull.p[k] = transform_points(
+            to, real(x) + last * load(kX + k * kLanes), real(y) + last * load(kY + k * kLanes), t);
+    }
+    return hull;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target
