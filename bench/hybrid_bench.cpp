@@ -1,5 +1,5 @@
-// hybrid_bench.cpp - the hybrid engine's frames with synchronous and asynchronous readback: same
-// process, in turn, medians.
+// hybrid_bench.cpp - the hybrid engine's frames of an animation with synchronous and asynchronous
+// readback: same process, in turn, medians.
 //
 //     hybrid_bench [--threads N] [--rounds N] [--size WIDTHxHEIGHT] [--shadows] [SCENE[@SECONDS] ...]
 //
@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,55 +28,66 @@ struct Options {
 
 /// A way to read back, and what it took.
 struct Way {
-    Readback readback = Readback::async;
-    int chunks = 1;
-    std::vector<double> frame, draw, transfer, wait;
+    Way(Readback how, int count, int threads)
+        : readback(how),
+          chunks(count),
+          renderer(std::make_unique<Renderer>(threads))
+    {
+    }
+
+    Readback readback;
+    int chunks;
+    std::unique_ptr<Renderer> renderer; // of its own: each sees all of the animation
+    Film film;
+    std::vector<double> frame, draw, transfer, wait, shadow;
 };
 
 void measure(const std::string& argument, const Options& options)
 {
     const SceneArgument asked(argument);
     const Scene scene = load_scene(asked.scene);
-    Renderer renderer(options.threads);
     World world;
-    renderer.pose(scene, asked.time_s, world);
     View view;
     view.width = options.width;
     view.height = options.height;
-    view.camera = scene.camera ? world.camera : framing_camera(world);
-    std::vector<Way> ways = {{Readback::sync, 1, {}, {}, {}, {}}};
+    std::vector<Way> ways;
+    ways.emplace_back(Readback::sync, 1, options.threads);
     for (const int chunks : {1, 2, 4, 8, 16, 32})
-        ways.push_back({Readback::async, chunks, {}, {}, {}, {}});
-    Film film;
-    for (int round = -2; round < options.rounds; ++round)
+        ways.emplace_back(Readback::async, chunks, options.threads);
+    for (int round = -3; round < options.rounds; ++round) {
+        pose(scene, asked.time_s + 0.02 * (round + 3), world);
+        view.camera = scene.camera ? world.camera : framing_camera(world);
         for (std::size_t k = 0; k < ways.size(); ++k) {
             // Each round begins with another way.
-            Way& way = ways[(k + std::size_t(round + 2)) % ways.size()];
+            Way& way = ways[(k + std::size_t(round + 3)) % ways.size()];
             Settings settings;
             settings.engine = Engine::hybrid;
             settings.shadows = options.shadows ? Shadows::map : Shadows::none;
             settings.opengl.readback = way.readback;
             settings.opengl.readback_chunks = way.chunks;
-            renderer.render(world, view, settings, film);
-            if (round < 0) continue;
-            const Stats& stats = renderer.stats();
+            way.renderer->render(world, view, settings, way.film);
+            if (round < 0) continue; // shaders are compiled, memory grows
+            const Stats& stats = way.renderer->stats();
             way.frame.push_back(stats.total_ms);
             way.draw.push_back(stats.draw_ms);
             way.transfer.push_back(stats.transfer_ms);
             way.wait.push_back(stats.wait_ms);
+            way.shadow.push_back(stats.shadow_ms);
         }
+    }
     std::printf("%s: %zu triangles, %s\n", argument.c_str(), scene.triangle_count(),
-        renderer.engine().device.c_str());
-    std::printf("%-10s %9s %9s %9s %9s %9s\n", "readback", "frame ms", "draw", "transfer", "wait",
-        "hidden");
+        ways[0].renderer->engine().device.c_str());
+    std::printf("%-10s %9s %9s %9s %9s %9s %9s\n", "readback", "frame ms", "draw", "transfer",
+        "wait", "hidden", "shadow");
     for (Way& way : ways) {
         const double draw = median(way.draw), transfer = median(way.transfer),
                      wait = median(way.wait);
         const std::string name = way.readback == Readback::sync
                                      ? std::string("sync")
                                      : "async " + std::to_string(way.chunks);
-        std::printf("%-10s %9.2f %9.2f %9.2f %9.2f %8.0f%%\n", name.c_str(), median(way.frame),
-            draw, transfer, wait, 100 * (1 - wait / (draw + transfer)));
+        std::printf("%-10s %9.2f %9.2f %9.2f %9.2f %8.0f%% %9.2f\n", name.c_str(),
+            median(way.frame), draw, transfer, wait, 100 * (1 - wait / (draw + transfer)),
+            median(way.shadow));
     }
 }
 

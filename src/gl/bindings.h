@@ -1,34 +1,34 @@
-// bindings.h - the numbers of the storage blocks and texture units that the gpu engine's shaders
-// share. Their texts have the same numbers.
+// bindings.h - the numbers of the blocks and texture units that the gpu engine's shaders share.
+// Their texts have the same numbers.
 #pragma once
 
 #include <epoxy/gl.h>
 
 namespace firsthit::gl {
 
-/// Storage blocks.
-inline constexpr GLuint kIndex = 0;
-inline constexpr GLuint kEye = 1;
-inline constexpr GLuint kWorld = 2;
-inline constexpr GLuint kNormal = 3;
-inline constexpr GLuint kTriangleMaterial = 4;
-inline constexpr GLuint kMaterials = 5;
-inline constexpr GLuint kTextureWords = 6;
-inline constexpr GLuint kResult = 7; // what a pass writes
-inline constexpr GLuint kLights = 8;
-inline constexpr GLuint kMaps = 9;
-inline constexpr GLuint kMapDepth = 10;
-inline constexpr GLuint kUv = 11;
-inline constexpr int kStorageBlocks = 12;
-
 /// The uniform block of frame.glsl.
 inline constexpr GLuint kFrame = 0;
 
-/// Texture units.
+/// Storage blocks; lights and maps are uniform blocks where they are few.
+inline constexpr GLuint kResult = 0; // what a pass writes
+inline constexpr GLuint kLights = 1;
+inline constexpr GLuint kMaps = 2;
+
+/// Texture units: pictures.
 inline constexpr GLuint kItemsUnit = 0;
-inline constexpr GLuint kHitsUnit = 1;
-inline constexpr GLuint kColorsUnit = 2;
-inline constexpr GLuint kItemColorsUnit = 3;
+inline constexpr GLuint kHitsUnit = 2;
+inline constexpr GLuint kColorsUnit = 3;
 inline constexpr GLuint kDepthUnit = 4;
+
+/// Texture units: arrays.
+inline constexpr GLuint kIndexUnit = 5;
+inline constexpr GLuint kEyeUnit = 6;
+inline constexpr GLuint kWorldUnit = 7;
+inline constexpr GLuint kNormalUnit = 8;
+inline constexpr GLuint kUvUnit = 9;
+inline constexpr GLuint kTriangleMaterialUnit = 10;
+inline constexpr GLuint kMaterialsUnit = 11;
+inline constexpr GLuint kTexturesUnit = 12;
+inline constexpr GLuint kMapDepthUnit = 13;
 
 } // namespace firsthit::gl

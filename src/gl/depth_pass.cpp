@@ -7,6 +7,10 @@
 #include "gl/program.h"
 #include "shadow/map_pencil.h"
 
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -44,20 +48,27 @@ DepthPass::DepthPass()
     triangles_.create();
 }
 
-void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, ShadowMap& map,
+void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, ShadowMap& map,
     std::uint32_t first, const MapTexels& texels)
 {
     const Pencil pencil = place_map(world, face, map);
     const float range = depth_range(world, pencil);
     const int width = map.width(), height = map.height();
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (std::max(width, height) > most)
+        throw DeviceError(fmt::format("OpenGL: a shadow map of {}x{} texels is too large, {} on a "
+                                      "side are possible ({})",
+            width, height, most, driver_name()));
     if (width > depth_.width() || height > depth_.height()) {
         depth_.resize(GL_DEPTH_COMPONENT32F, std::max(width, depth_.width()),
             std::max(height, depth_.height()));
         target_.attach(GL_DEPTH_ATTACHMENT, depth_.name());
         target_.check_complete("drawing a shadow map");
     }
-    if (index_ != scene.index) glVertexArrayElementBuffer(triangles_.name(), scene.index);
-    index_ = scene.index;
+    triangles_.set_indices(scene.index());
+    world_.look_at(scene.world(), GL_RGBA32F, 16);
+    world_.bind(kWorldUnit);
 
     draw_.use();
     const glm::mat3 matrix(map.matrix);
@@ -69,7 +80,6 @@ void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, 
     glUniform2f(kDrawSize, float(width), float(height));
     glUniform1f(kDrawRange, range);
     glUniform1i(kDrawParallel, pencil.parallel);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kWorld, scene.world);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
     glBindVertexArray(triangles_.name());
     glViewport(0, 0, width, height);
@@ -82,7 +92,7 @@ void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, 
     glDepthFunc(GL_GREATER);
     const float nothing = 0;
     glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &nothing);
-    glDrawElements(GL_TRIANGLES, GLsizei(3 * scene.triangles), GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * scene.triangles()), GL_UNSIGNED_INT, nullptr);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_DEPTH_CLAMP);
 
@@ -92,18 +102,17 @@ void DepthPass::draw(const World& world, const DrawnTriangles& scene, int face, 
     glUniform1f(kStoreRange, range);
     glUniform1i(kStoreParallel, pencil.parallel);
     depth_.bind(kDepthUnit);
-    texels.bind(kResult);
+    texels.bind_storage(kResult);
     glDispatchCompute(GLuint(quads(width)), GLuint(quads(height)), 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     check("drawing a shadow map");
 }
 
 void DepthPass::draw_changed(
     const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps)
 {
-    const DrawnTriangles triangles{scene.world().name(), scene.index().name(), scene.triangles()};
     for (const MapNumber& k : maps.changed)
-        draw(world, triangles, k.face, map_of(maps, k),
+        draw(world, scene, k.face, map_of(maps, k),
             texels.first()[k.light * kFaces + std::size_t(k.face)], texels);
 }
 

@@ -13,13 +13,6 @@
 
 namespace firsthit::gl {
 
-/// The scene's triangles, for shaders that fetch vertices by gl_VertexID.
-struct DrawnTriangles {
-    GLuint world = 0; // (V) vec4: posed world positions
-    GLuint index = 0; // (T, 3) uint
-    std::size_t triangles = 0;
-};
-
 /// Draws the triangles as a face of a light sees them, then stores their depths along the face's z
 /// (shadow/shadow_map.h), +inf where nothing is.
 ///
@@ -35,7 +28,7 @@ class DepthPass {
     ///
     /// first   of the map's texels
     /// throws  DeviceError: no memory, or a map beyond the largest texture
-    void draw(const World& world, const DrawnTriangles& scene, int face, ShadowMap& map,
+    void draw(const World& world, const SceneBuffers& scene, int face, ShadowMap& map,
         std::uint32_t first, const MapTexels& texels);
 
     /// The same for all maps.changed.
@@ -45,8 +38,8 @@ class DepthPass {
   private:
     Program draw_, store_;
     VertexArray triangles_;
-    GLuint index_ = 0; // of triangles_
-    Texture2D depth_;  // as large as the largest map so far
+    BufferTexture world_;
+    Texture2D depth_; // as large as the largest map so far
     Framebuffer target_;
 };
 

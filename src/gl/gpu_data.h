@@ -12,14 +12,6 @@
 
 namespace firsthit::gl {
 
-/// How a missed item is repaired: FrameData::test.
-enum class HitTest : std::int32_t {
-    take_item = 0,      // items are exact: nothing is missed
-    test_item = 1,      // missed: a hole
-    try_neighbours = 2, // missed: the nearest hit among the items around
-    try_all = 3,        // the nearest hit among the items around, for every sample
-};
-
 /// What all samples of a part of a picture share.
 struct FrameData {
     glm::vec3 eye{0}; // world space
@@ -31,24 +23,19 @@ struct FrameData {
     glm::vec3 forward{0};
     std::int32_t lights = 0;
     glm::vec3 background{0};
-    HitTest test = HitTest::test_item;
+    std::int32_t reach = 0; // neighbours on each side that are tried for a missed item
     glm::vec3 ambient{0};
-    std::int32_t reach = 0;            // neighbours on each side that are tried
+    float bias = -1;                   // of maps
     glm::ivec2 size{0};                // of the part, samples
     glm::ivec2 corner{0};              // the part's first sample, in the picture
     std::uint32_t triangles = 0;       // items from here on are none
-    std::int32_t interleave = 1;       // every so-many-th sample of a row is shot
-    std::int32_t has_uv = 0;           // else no texture is looked at
-    std::int32_t shadow_maps = 0;      // 0: every light reaches everything
-    std::int32_t filter = 1;           // N: N x N texels are compared
-    float bias = -1;                   // of maps
+    std::int32_t interleave = 1;       // every so-many-th sample of a row is shot: hits/lattice.h
     std::int32_t interleave_shift = 0; // from row to row
-    std::int32_t item_channels = 1;    // 1: integers; 3, 4: colours
+    std::int32_t filter = 1;           // N: N x N texels are compared
 };
 static_assert(offsetof(FrameData, first_x) == 28 && offsetof(FrameData, lights) == 60 &&
               offsetof(FrameData, ambient) == 80 && offsetof(FrameData, size) == 96 &&
-              offsetof(FrameData, triangles) == 112 && offsetof(FrameData, bias) == 132 &&
-              sizeof(FrameData) == 144);
+              offsetof(FrameData, triangles) == 112 && sizeof(FrameData) == 128);
 
 struct MaterialData {
     glm::vec3 ambient{0};
@@ -75,6 +62,10 @@ struct RayTransformData {
 };
 static_assert(offsetof(RayTransformData, forward) == 48 && sizeof(RayTransformData) == 64);
 
+/// At most so many lights lie in uniform blocks, of which every driver has 16 KB; more in storage
+/// blocks, which are slower.
+inline constexpr std::size_t kFewLights = 28;
+
 struct LightData {
     RayTransformData to_frame; // into the axes of shadow/light_frame.h
     glm::vec3 color{0};
@@ -94,6 +85,8 @@ struct LightData {
 };
 static_assert(offsetof(LightData, color) == 64 && offsetof(LightData, axis) == 112 &&
               offsetof(LightData, frame_z) == 160 && sizeof(LightData) == 176);
+
+static_assert(kFewLights * sizeof(LightData) <= 16384);
 
 /// One face of a light; width 0: no map.
 struct MapData {

@@ -6,10 +6,6 @@
 #include "hits/lattice.h"
 #include "hits/multisample.h"
 
-#include <firsthit/error.h>
-
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace firsthit::gl {
@@ -54,7 +50,7 @@ HitTest hit_test(Multisample multisample)
 }
 
 FrameData frame_data(const World& world, const Settings& settings, const Pencil& pencil,
-    const SampleFrame& frame, const Region& part, bool shadows)
+    const SampleFrame& frame, const Region& part)
 {
     const glm::mat3& axes = frame.world_from_eye;
     FrameData data{.eye = frame.eye,
@@ -66,54 +62,38 @@ FrameData frame_data(const World& world, const Settings& settings, const Pencil&
         .forward = axes[2],
         .lights = std::int32_t(world.lights.size()),
         .background = world.scene->background,
-        .test = hit_test(settings.multisample),
-        .ambient = world.scene->ambient,
         .reach = reach_of(settings.multisample),
+        .ambient = world.scene->ambient,
+        .bias = float(settings.shadow_bias),
         .size = {pencil.width, pencil.height},
         .corner = {part.x, part.y},
         .triangles = std::uint32_t(world.scene->index.size()),
         .interleave = settings.interleave,
-        .shadow_maps = shadows,
-        .filter = settings.shadow_filter,
-        .bias = float(settings.shadow_bias),
-        .interleave_shift = Lattice(settings.interleave).shift()};
+        .interleave_shift = Lattice(settings.interleave).shift(),
+        .filter = settings.shadow_filter};
     return data;
 }
 
-void bind_scene(const SceneBuffers& scene)
+int channels_of(ItemFormat format)
 {
-    scene.index().bind_storage(kIndex);
-    scene.eye().bind_storage(kEye);
-    scene.world().bind_storage(kWorld);
-    scene.normal().bind_storage(kNormal);
-    scene.material().bind_storage(kTriangleMaterial);
-    scene.uv().bind_storage(kUv);
+    return format == ItemFormat::r32ui ? 1 : format == ItemFormat::rgb8 ? 3 : 4;
 }
 
-/// The channels of its format.
-std::int32_t bind_items(const ItemTexture& items)
+void add_counts(const SampleCounts& samples, std::uint64_t interpolated, Stats& stats)
 {
-    const bool integers = items.format == ItemFormat::r32ui;
-    glBindTextureUnit(integers ? kItemsUnit : kItemColorsUnit, items.name);
-    return integers ? 1 : items.format == ItemFormat::rgb8 ? 3 : 4;
+    stats.hits += samples.hits;
+    stats.missed += samples.missed;
+    stats.interpolated += interpolated;
 }
 
 } // namespace
 
-GpuFrame::GpuFrame(const Context& context, bool count_invocations)
+GpuFrame::GpuFrame(const Context& context, const GpuOptions& options)
     : context_(context),
+      options_(options),
       scene_(context, Detail::surfaces),
-      passes_(count_invocations)
+      passes_(options.count_invocations)
 {
-    for (const GLenum limit :
-        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}) {
-        GLint blocks = 0;
-        glGetIntegerv(limit, &blocks);
-        if (blocks < kStorageBlocks)
-            throw DeviceError(fmt::format("OpenGL: the gpu engine needs {} storage blocks, there "
-                                          "are {} ({})",
-                kStorageBlocks, blocks, driver_name()));
-    }
 }
 
 /// Since the last call. A software driver does its work when it is waited for: with hardware, the
@@ -152,15 +132,18 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     job.stats.raster_ms += stage_ms();
 
     // Where exactly?
-    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels, job.shadows);
+    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels);
     if (!part.color) data.interleave = 1;
-    data.has_uv = scene_.has_uv();
-    data.item_channels = bind_items(items);
-    passes_.start(data);
-    bind_scene(scene_);
+    passes_.start(data, {.test = hit_test(job.settings.multisample),
+                            .item_channels = channels_of(items.format),
+                            .shadow_maps = job.shadows,
+                            .textures = scene_.has_uv(),
+                            .few_lights = job.world.lights.size() <= kFewLights});
+    glBindTextureUnit(kItemsUnit, items.name);
+    scene_textures_.bind(scene_);
     materials_.bind();
     const bool masked = job.settings.opengl.passes == GpuPasses::multi;
-    const bool stored = masked || part.planes;
+    const bool stored = masked || part.planes || !part.color;
     if (masked) passes_.mask_empty();
     if (stored) passes_.find_hits(masked);
     job.stats.resolve_ms += stage_ms();
@@ -176,14 +159,20 @@ void GpuFrame::render_part(const Job& job, const Part& part)
         std::size_t(part.pixels.x - job.view.region.x);
     if (part.color) {
         passes_.shade({.stored = stored, .masked = masked});
-        if (part.samples > 1) passes_.average(part.samples);
+        const bool averaged = part.samples > 1;
+        SampleCounts counts;
+        if (averaged) {
+            counts = passes_.count_colors();
+            passes_.average(part.samples);
+        }
         if (job.settings.interpolate) passes_.fill_holes();
+        const SampleCounts last = passes_.count_colors();
+        add_counts(averaged ? counts : last, last.interpolated, job.stats);
+    } else {
+        add_counts(passes_.count_hits(), 0, job.stats);
     }
     job.stats.shade_ms += stage_ms();
-    if (part.color) {
-        passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
-        if (job.settings.interpolate) job.stats.interpolated += passes_.read_filled();
-    }
+    if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
     if (part.planes) read_planes(job, part, stored);
 }
 
@@ -216,7 +205,7 @@ void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
 
 void GpuFrame::render_pass(const Job& job, int samples, bool color, bool planes)
 {
-    const int side = std::min(kPartSide, context_.info().max_texture_size) / samples;
+    const int side = std::min(options_.part_side, context_.info().max_texture_size) / samples;
     const Region& all = job.view.region;
     for (int y = 0; y < all.height; y += side)
         for (int x = 0; x < all.width; x += side)

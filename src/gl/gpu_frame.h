@@ -12,6 +12,7 @@
 #include "gl/material_buffers.h"
 #include "gl/sample_passes.h"
 #include "gl/scene_buffers.h"
+#include "gl/scene_textures.h"
 
 #include <firsthit/film.h>
 #include <firsthit/render.h>
@@ -20,25 +21,28 @@
 
 namespace firsthit::gl {
 
+struct GpuOptions {
+    bool count_invocations = false; // see SamplePasses
+    int part_side = 4096;           // samples on the side of a part, at most: 900 MB
+};
+
 /// Buffers, textures and programs of the engine, kept from frame to frame: nothing is created once
 /// sizes have settled. To be made, used and deleted with its context current.
 class GpuFrame {
   public:
-    /// throws  DeviceError: a shader does not compile, or the driver has too few storage blocks
-    explicit GpuFrame(const Context& context, bool count_invocations = false);
+    /// throws  DeviceError: see link_program
+    explicit GpuFrame(const Context& context, const GpuOptions& options = {});
 
     /// Renders the view's region into the film and adds to the statistics. `settings` and `view`
     /// are checked (render/check_settings.h); view.region is filled in. Shadows::automatic is map.
     ///
+    /// items   with Multisample::exact they have to be right: no ray is tested
     /// maps    of the cpu engine, to be used instead of drawing them; or null
-    /// limits  pictures above kPartSide samples are made in parts; each part fills its holes from
-    ///         its own pixels
+    /// limits  pictures with more samples than options.part_side on a side are made in parts; each
+    ///         part looks at neighbours and fills holes inside itself
     /// throws  DeviceError: no memory, a scene or maps beyond the driver's limits, a lost context
     void render(const World& world, const View& view, const Settings& settings, GpuItems& items,
         Tasks& tasks, Film& film, Stats& stats, const ShadowMaps* maps = nullptr);
-
-    /// Samples on the side of a part, at most: 900 MB.
-    static constexpr int kPartSide = 4096;
 
     SamplePasses& passes() { return passes_; }
     const GpuShadows& shadows() const { return shadows_; }
@@ -53,7 +57,9 @@ class GpuFrame {
     double stage_ms();
 
     const Context& context_;
+    GpuOptions options_;
     SceneBuffers scene_;
+    SceneTextures scene_textures_;
     MaterialBuffers materials_;
     GpuShadows shadows_;
     SamplePasses passes_;

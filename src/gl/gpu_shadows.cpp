@@ -4,18 +4,39 @@
 #include "gl/bindings.h"
 #include "gl/context.h"
 
+#include <algorithm>
+#include <span>
+
 namespace firsthit::gl {
+namespace {
+
+/// A uniform block is read as if it had all its room.
+void upload(Buffer& table, std::span<const std::byte> data, std::size_t room)
+{
+    table.resize(std::max(data.size(), room));
+    table.upload(0, data.data(), data.size());
+}
+
+void bind_table(const Buffer& table, GLuint binding, std::size_t lights)
+{
+    if (lights <= kFewLights)
+        glBindBufferBase(GL_UNIFORM_BUFFER, binding, table.name());
+    else
+        table.bind_storage(binding);
+}
+
+} // namespace
 
 void GpuShadows::upload_tables(
     const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps, int filter)
 {
     fill_lights(world, frame, maps, light_data_);
     fill_maps(maps, frame, texels_.first(), filter, map_data_);
-    lights_.assign(std::span<const LightData>(light_data_));
-    map_table_.assign(std::span<const MapData>(map_data_));
-    lights_.bind_storage(kLights);
-    map_table_.bind_storage(kMaps);
-    if (!maps.empty()) texels_.bind(kMapDepth);
+    upload(lights_, std::as_bytes(std::span(light_data_)), kFewLights * sizeof(LightData));
+    upload(map_table_, std::as_bytes(std::span(map_data_)), kFewLights * kFaces * sizeof(MapData));
+    bind_table(lights_, kLights, light_data_.size());
+    bind_table(map_table_, kMaps, light_data_.size());
+    if (!maps.empty()) texels_.bind_texels();
 }
 
 void GpuShadows::set_lights(const World& world, const SampleFrame& frame)

@@ -34,7 +34,8 @@ void HitBounds::find(const Program& program, glm::ivec2 size, std::span<LightBou
     glClearNamedBufferData(keys_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     keys_.bind_storage(kResult);
     program.use();
-    glDispatchCompute(GLuint(size.x + 7) / 8, GLuint(size.y + 7) / 8, 1);
+    const GLuint blocks = (GLuint(size.x + 7) / 8) * (GLuint(size.y + 7) / 8);
+    glDispatchCompute((blocks + 31) / 32, 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(keys_.name(), 0, GLsizeiptr(numbers * 4), read_.data());
     check("finding what lights shine on");

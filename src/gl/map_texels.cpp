@@ -1,6 +1,7 @@
 // map_texels.cpp - the texels of all shadow maps, in one buffer.
 #include "gl/map_texels.h"
 
+#include "gl/bindings.h"
 #include "gl/context.h"
 
 #include <firsthit/error.h>
@@ -67,6 +68,12 @@ void MapTexels::upload(std::span<const ShadowLight> lights)
         if (map.width() > 0)
             texels_.upload(std::size_t(first_[k]) * 4, map.depth.data(), stored_texels(map) * 4);
     }
+}
+
+void MapTexels::bind_texels()
+{
+    look_up_.look_at(texels_, GL_R32F, 4);
+    look_up_.bind(kMapDepthUnit);
 }
 
 void MapTexels::read(std::size_t light, std::size_t face, ShadowMap& map) const

@@ -28,10 +28,14 @@ class MapTexels {
     /// (lights, kFaces) where each face's texels begin.
     std::span<const std::uint32_t> first() const { return first_; }
 
-    void bind(GLuint binding) const { texels_.bind_storage(binding); }
+    /// For shaders that write them: as a storage block.
+    void bind_storage(GLuint binding) const { texels_.bind_storage(binding); }
+    /// For shaders that look them up.
+    void bind_texels();
 
   private:
     Buffer texels_; // float
+    BufferTexture look_up_;
     std::vector<std::uint32_t> first_;
     std::vector<std::uint32_t> room_; // texels from there on
 };

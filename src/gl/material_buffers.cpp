@@ -121,10 +121,12 @@ void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
     check("uploading textures");
 }
 
-void MaterialBuffers::bind() const
+void MaterialBuffers::bind()
 {
-    materials_.bind_storage(kMaterials);
-    texture_words_.bind_storage(kTextureWords);
+    material_texels_.look_at(materials_, GL_RGBA32F, 16);
+    material_texels_.bind(kMaterialsUnit);
+    word_texels_.look_at(texture_words_, GL_R32UI, 4);
+    word_texels_.bind(kTexturesUnit);
 }
 
 } // namespace firsthit::gl

@@ -23,13 +23,14 @@ class MaterialBuffers {
     /// throws  DeviceError: more texels than `max_storage_bytes` hold, or no memory
     void update(const Scene& scene, std::int64_t max_storage_bytes);
 
-    /// As the storage blocks of materials.glsl and sample_texture.glsl.
-    void bind() const;
+    /// As the textures of materials.glsl and sample_texture.glsl.
+    void bind();
 
     /// So far.
     std::uint64_t uploads() const { return uploads_; }
 
   private:
+    BufferTexture material_texels_, word_texels_;
     Buffer materials_;     // (materials) MaterialData
     Buffer texture_words_; // see above
     std::vector<MaterialData> material_;

@@ -51,6 +51,13 @@ GLuint TextureKind::make()
     return counted(name);
 }
 
+GLuint BufferTextureKind::make()
+{
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+    return counted(name);
+}
+
 void TextureKind::remove(GLuint name)
 {
     glDeleteTextures(1, &name);
@@ -161,6 +168,23 @@ void Texture2D::bind(GLuint unit) const
     glBindTextureUnit(unit, object_.name());
 }
 
+void BufferTexture::look_at(const Buffer& buffer, GLenum format, std::size_t element_bytes)
+{
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    const std::size_t elements = buffer.size() / element_bytes;
+    if (elements > std::size_t(most))
+        throw DeviceError(fmt::format("OpenGL: an array has {} elements, {} are possible ({})",
+            elements, most, driver_name()));
+    if (!object_) object_.create();
+    glTextureBuffer(object_.name(), format, buffer.name());
+}
+
+void BufferTexture::bind(GLuint unit) const
+{
+    glBindTextureUnit(unit, object_.name());
+}
+
 void Framebuffer::attach(GLenum point, GLuint texture)
 {
     if (!object_) object_.create();
@@ -223,7 +247,7 @@ void Query::begin(GLenum target)
         name_ = 0;
     }
     if (!name_) {
-        glCreateQueries(target, 1, &name_);
+        glGenQueries(1, &name_); // glCreateQueries refuses pipeline statistics in Mesa 22
         counted(name_);
     }
     target_ = target;

@@ -55,6 +55,10 @@ struct TextureKind {
     static GLuint make(); // two-dimensional
     static void remove(GLuint name);
 };
+struct BufferTextureKind {
+    static GLuint make(); // of a buffer's elements
+    static void remove(GLuint name) { TextureKind::remove(name); }
+};
 struct FramebufferKind {
     static GLuint make();
     static void remove(GLuint name);
@@ -128,6 +132,21 @@ class Texture2D {
     Object<TextureKind> object_;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
+};
+
+/// A buffer as elements of a texture format: how shaders read arrays fastest, and without the size
+/// limit of storage blocks.
+class BufferTexture {
+  public:
+    /// All of the buffer, as it is now: again after it has grown.
+    /// element_bytes  of the format
+    /// throws  DeviceError: more elements than the driver's GL_MAX_TEXTURE_BUFFER_SIZE
+    void look_at(const Buffer& buffer, GLenum format, std::size_t element_bytes);
+
+    void bind(GLuint unit) const;
+
+  private:
+    Object<BufferTextureKind> object_;
 };
 
 /// What is drawn into.

@@ -5,7 +5,7 @@
 #include "gl/context.h"
 
 #include <string>
-#include <utility>
+#include <string_view>
 
 namespace firsthit::gl {
 namespace {
@@ -45,27 +45,49 @@ void read_rows(const Framebuffer& from, glm::ivec2 size, GLenum channels, GLenum
 SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_invocations)
 {
     nothing_.create();
-    filled_count_.resize(4);
     if (count_invocations_) {
         invocations_.resize(4);
         take_invocations();
     }
 }
 
-const Program& SamplePasses::linked(Program& program, std::string_view fragment, Defines defines)
+const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
 {
-    if (program.name() == 0) {
-        if (fragment.ends_with(".comp"))
-            program = link_program({fragment}, defines);
-        else
-            program = link_program({"screen.vert", fragment}, defines);
-    }
-    return program;
+    static constexpr std::string_view kFiles[] = {"early_z.frag", "intersect.frag",
+        "hit_bounds.comp", "shade_hits.frag", "fill_holes.frag", "average.frag",
+        "count_samples.comp", "plane.frag"};
+    const bool flags[] = {
+        variant_.shadow_maps, variant_.textures, variant_.few_lights, stored, count_invocations_};
+    unsigned variant = unsigned(pass);
+    const auto add = [&](int value, int values) {
+        variant = variant * unsigned(values) + unsigned(value);
+    };
+    add(int(variant_.test), 4);
+    add(variant_.item_channels, 5);
+    add(plane, kAovCount);
+    for (const bool flag : flags) add(flag, 2);
+    for (const Linked& known : programs_)
+        if (known.variant == variant) return known.program;
+
+    Defines defines = {{"FIRSTHIT_TEST", std::to_string(int(variant_.test))},
+        {"FIRSTHIT_ITEM_CHANNELS", std::to_string(variant_.item_channels)},
+        {"FIRSTHIT_SHADOW_MAPS", variant_.shadow_maps ? "1" : "0"},
+        {"FIRSTHIT_TEXTURES", variant_.textures ? "1" : "0"},
+        {"FIRSTHIT_FEW_LIGHTS", variant_.few_lights ? std::to_string(kFewLights) : "0"},
+        {"FIRSTHIT_COUNT_HITS", stored ? "1" : "0"}, {"FIRSTHIT_PLANE", std::to_string(plane)}};
+    if (stored || pass == Pass::count) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
+    if (count_invocations_) defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
+    const std::string_view file = kFiles[std::size_t(pass)];
+    programs_.push_back(
+        {variant, file.ends_with(".comp") ? link_program({file}, defines)
+                                          : link_program({"screen.vert", file}, defines)});
+    return programs_.back().program;
 }
 
-void SamplePasses::start(const FrameData& frame)
+void SamplePasses::start(const FrameData& frame, const PassVariant& variant)
 {
     frame_data_ = frame;
+    variant_ = variant;
     size_ = frame.size;
     frame_.resize(sizeof(FrameData));
     frame_.upload(0, &frame, sizeof(FrameData));
@@ -106,7 +128,7 @@ void SamplePasses::mask_empty()
     glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &far);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
-    draw(linked(early_z_, "early_z.frag"), target_, size_);
+    draw(linked(Pass::early_z), target_, size_);
     glDisable(GL_DEPTH_TEST);
     target_.attach(GL_DEPTH_ATTACHMENT, 0);
 }
@@ -145,12 +167,8 @@ class Masked {
 
 void SamplePasses::find_hits(bool masked)
 {
-    Defines defines;
-    if (count_invocations_) {
-        defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
-        invocations_.bind_storage(kResult);
-    }
-    const Program& program = linked(intersect_, "intersect.frag", std::move(defines));
+    if (count_invocations_) invocations_.bind_storage(kResult);
+    const Program& program = linked(Pass::intersect);
     hits_.resize(GL_RGBA32UI, size_.x, size_.y);
     target_.attach(GL_COLOR_ATTACHMENT0, hits_.name());
     if (masked) {
@@ -164,26 +182,18 @@ void SamplePasses::find_hits(bool masked)
 
 void SamplePasses::find_bounds(bool stored, std::span<LightBounds> bounds)
 {
-    Defines defines;
-    if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
-    const Program& program = linked(bounds_[stored], "hit_bounds.comp", std::move(defines));
-    hit_bounds_.find(program, size_, bounds);
+    hit_bounds_.find(linked(Pass::bounds, stored), size_, bounds);
 }
 
 void SamplePasses::shade(const PassInput& input)
 {
-    Defines defines;
-    if (input.stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
-    if (count_invocations_) {
-        defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
-        invocations_.bind_storage(kResult);
-    }
-    const Program& program = linked(shade_[input.stored], "shade_hits.frag", std::move(defines));
+    if (count_invocations_) invocations_.bind_storage(kResult);
+    const Program& program = linked(Pass::shade, input.stored);
     colors_.resize(GL_RGBA32F, size_.x, size_.y);
     target_.attach(GL_COLOR_ATTACHMENT0, colors_.name());
     if (input.masked) {
         const glm::vec3& b = frame_data_.background;
-        const float background[4] = {b.x, b.y, b.z, 1};
+        const float background[4] = {b.x, b.y, b.z, 0.5f}; // kBackgroundAlpha of frame.glsl
         glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, background);
     }
     const Masked mask(mask_, target_, input.masked);
@@ -194,22 +204,35 @@ void SamplePasses::shade(const PassInput& input)
 void SamplePasses::fill_holes()
 {
     newest_->bind(kColorsUnit);
-    const GLuint zero = 0;
-    filled_count_.upload(0, &zero, 4);
-    filled_count_.bind_storage(kResult);
-    draw_into(linked(fill_, "fill_holes.frag"), filled_, GL_RGBA32F, size_);
+    draw_into(linked(Pass::fill), filled_, GL_RGBA32F, size_);
     newest_ = &filled_;
 }
 
 void SamplePasses::average(int samples)
 {
-    const Program& program = linked(average_, "average.frag");
+    const Program& program = linked(Pass::average);
     program.use();
     glUniform1i(0, samples);
     newest_->bind(kColorsUnit);
     size_ /= samples;
     draw_into(program, pixels_, GL_RGBA32F, size_);
     newest_ = &pixels_;
+}
+
+SampleCounts SamplePasses::count(bool hits)
+{
+    const glm::ivec2 size = hits ? frame_data_.size : size_;
+    SampleCounts counts;
+    counts_.resize(sizeof counts);
+    counts_.upload(0, &counts, sizeof counts);
+    counts_.bind_storage(kResult);
+    if (!hits) newest_->bind(kColorsUnit);
+    linked(Pass::count, hits).use();
+    const GLuint blocks = (GLuint(size.x + 7) / 8) * (GLuint(size.y + 7) / 8);
+    glDispatchCompute((blocks + 31) / 32, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof counts, &counts);
+    return counts;
 }
 
 void SamplePasses::read_colors(float* to, int row_pixels)
@@ -221,11 +244,7 @@ void SamplePasses::read_colors(float* to, int row_pixels)
 
 void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to, int row_pixels)
 {
-    const int number = static_cast<int>(aov);
-    Defines defines = {{"FIRSTHIT_PLANE", std::to_string(number)}};
-    if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
-    const Program& program =
-        linked(plane_[stored][std::size_t(number)], "plane.frag", std::move(defines));
+    const Program& program = linked(Pass::plane, stored, int(aov));
     if (aov == Aov::lit) {
         program.use();
         glUniform1i(0, GLint(light));
@@ -237,27 +256,12 @@ void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to,
     check("reading a plane");
 }
 
-namespace {
-
-std::uint64_t read_count(const Buffer& buffer)
-{
-    GLuint count = 0;
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(buffer.name(), 0, 4, &count);
-    return count;
-}
-
-} // namespace
-
-std::uint64_t SamplePasses::read_filled() const
-{
-    return read_count(filled_count_);
-}
-
 std::uint64_t SamplePasses::take_invocations()
 {
     if (!count_invocations_) return 0;
-    const std::uint64_t count = read_count(invocations_);
+    GLuint count = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(invocations_.name(), 0, 4, &count);
     const GLuint zero = 0;
     invocations_.upload(0, &zero, 4);
     return count;

@@ -20,13 +20,38 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace firsthit::gl {
+
+/// How a missed item is repaired: FIRSTHIT_TEST of find_hit.glsl.
+enum class HitTest {
+    take_item,      // items are exact: nothing is missed
+    test_item,      // missed: a hole
+    try_neighbours, // missed: the nearest hit among the items around
+    try_all,        // the nearest hit among the items around, for every sample
+};
+
+/// Which variants of the shaders a part's samples need.
+struct PassVariant {
+    HitTest test = HitTest::test_item;
+    int item_channels = 1;    // 1: integers; 3, 4: the paper's colours
+    bool shadow_maps = false; // else every light reaches everything
+    bool textures = false;    // and texture coordinates
+    bool few_lights = true;   // at most kFewLights
+};
 
 /// What a pass over samples goes by.
 struct PassInput {
     bool stored = false; // hits are those of find_hits; else they are found again from the items
     bool masked = false; // only where mask_empty left depth
+};
+
+struct SampleCounts {
+    std::uint32_t hits = 0;
+    std::uint32_t missed = 0;       // of those that were shot
+    std::uint32_t interpolated = 0; // by fill_holes
 };
 
 /// Programs and targets. All passes but the average read the bound blocks and textures (bindings.h)
@@ -37,7 +62,7 @@ class SamplePasses {
     explicit SamplePasses(bool count_invocations = false);
 
     /// Begins a part: uploads what its samples share, and sizes the targets.
-    void start(const FrameData& frame);
+    void start(const FrameData& frame, const PassVariant& variant);
 
     void mask_empty();
     void find_hits(bool masked);
@@ -49,6 +74,10 @@ class SamplePasses {
     /// Leaves the means of samples x samples colours.
     void average(int samples);
 
+    /// Of the newest colours, or of the hits of find_hits. Waits.
+    SampleCounts count_colors() { return count(false); }
+    SampleCounts count_hits() { return count(true); }
+
     /// (height, width) RGB of the newest colours, to rows that are `row_pixels` long. Waits.
     void read_colors(float* to, int row_pixels);
 
@@ -59,14 +88,13 @@ class SamplePasses {
     /// (height, width) RGBA32UI: item, t, u, v of find_hits.
     const Texture2D& hits() const { return hits_; }
 
-    /// Holes that the last fill_holes gave a colour. Waits.
-    std::uint64_t read_filled() const;
-
     /// Since the last call, of find_hits and shade. 0 where they are not counted.
     std::uint64_t take_invocations();
 
   private:
-    const Program& linked(Program& program, std::string_view fragment, Defines defines = {});
+    enum class Pass { early_z, intersect, bounds, shade, fill, average, count, plane };
+    const Program& linked(Pass pass, bool stored = false, int plane = 0);
+    SampleCounts count(bool hits);
     void draw(const Program& program, const Framebuffer& target, glm::ivec2 size);
     void draw_into(const Program& program, Texture2D& texture, GLenum format, glm::ivec2 size);
 
@@ -74,11 +102,14 @@ class SamplePasses {
     FrameData frame_data_;
     glm::ivec2 size_{0}; // of the newest colours
 
-    Program early_z_, intersect_, fill_, average_;
-    std::array<Program, 2> shade_, bounds_; // [stored]
-    std::array<std::array<Program, kAovCount>, 2> plane_;
+    struct Linked {
+        unsigned variant; // all that it was linked for
+        Program program;
+    };
+    PassVariant variant_;
+    std::vector<Linked> programs_;
     VertexArray nothing_;
-    Buffer frame_, invocations_, filled_count_;
+    Buffer frame_, invocations_, counts_;
     Texture2D mask_, hits_, colors_, filled_, pixels_;
     const Texture2D* newest_ = nullptr; // of the last three
     std::array<Texture2D, 4> planes_;   // item; 1, 2 and 4 channels

@@ -35,7 +35,8 @@ FIRSTHIT_PURE real between(real x, real low, real high)
 /// Borders belong to both of their triangles. Where `hit` is false for a rounding's sake, t, u and v
 /// are still those of a point of the triangle.
 ///
-/// limits  edges are right to about 1e-4 samples (algorithms in float); corners below 1e12
+/// limits  edges are right to about 1e-4 samples, less where they run along the ray: float's
+///         roundings grow with the edge's length in space; corners below 1e12
 FIRSTHIT_PURE TriangleHit intersect(real3 a, real3 b, real3 c, real3 d)
 {
     real weight_a = edge_volume(b, c, d);

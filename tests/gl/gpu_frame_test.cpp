@@ -166,6 +166,70 @@ TEST_F(GpuFrame, DrawsShadowMapsThatShadeAsTheCpusDo)
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35);
 }
 
+TEST_F(GpuFrame, MakesLargePicturesInParts)
+{
+    load("builtin:robots", 1.5, 200);
+    settings.shadows = Shadows::none;
+    settings.samples = 2;
+    settings.multisample = Multisample::lazy3;
+    gl::GpuFrame whole(*context), parts(*context, {.part_side = 130});
+    gl::DrawnItems drawn(*context);
+    whole.render(world, checked(view), settings, drawn, tasks, cpu_film, stats);
+    parts.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+    // Edges are snapped relative to the part.
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), 40);
+}
+
+TEST_F(GpuFrame, ShadesMoreLightsThanUniformBlocksHold)
+{
+    load("builtin:torus");
+    scene.lights.clear();
+    for (int k = 0; k < 40; ++k) {
+        scene.lights.push_back(test::directional_light({k - 20, -30, k % 7}));
+        scene.lights.back().color = glm::vec3(0.05f);
+    }
+    pose_at(0);
+    settings.shadows = Shadows::map;
+    settings.shadow_map_size = 64;
+    render_both("torus_lights40");
+    EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
+}
+
+TEST_F(GpuFrame, ShowsTheBackgroundOfAnEmptyScene)
+{
+    scene.background = {0.25f, 0.5f, 0.75f};
+    scene.lights = {test::point_light({1, 2, 3})};
+    pose_at(0);
+    view.width = view.height = 20;
+    settings.shadows = Shadows::map;
+    for (const auto passes : {GpuPasses::single, GpuPasses::multi}) {
+        settings.opengl.passes = passes;
+        gl::GpuFrame frame(*context);
+        gl::DrawnItems drawn(*context);
+        frame.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+        for (std::size_t k = 0; k < gpu_film.color.value.size(); ++k)
+            ASSERT_EQ(gpu_film.color.value[k], scene.background[int(k % 3)]);
+    }
+}
+
+TEST_F(GpuFrame, ShowsHolesWhereTheyAreNotToBeFilled)
+{
+    load("builtin:torus");
+    settings.shadows = Shadows::none;
+    settings.multisample = Multisample::none;
+    settings.interpolate = false;
+    scene.background = {0, 1, 0};
+    change_items = [](std::vector<std::uint32_t>& drawn) {
+        for (std::uint32_t& id : drawn)
+            if (id != kNoItem) id = 0; // which nearly no sample hits
+    };
+    gl::GpuFrame frame(*context);
+    render_gpu(frame);
+    const std::size_t middle = (128 * 256 + 30) * 3;
+    EXPECT_NE(item[middle / 3], kNoItem);
+    EXPECT_EQ(gpu_film.color.value[middle + 1], 1);
+}
+
 TEST_F(GpuFrame, MakesNothingMoreOnceSizesHaveSettled)
 {
     load("builtin:robots");

@@ -28,22 +28,28 @@ std::vector<Variant> all_variants()
         {"certify.frag", {{"DOUBTS", "1"}}}, {"item.vert", {{"COLORS", "0"}}},
         {"item.frag", {{"COLORS", "0"}}}, {"item.frag", {{"COLORS", "1"}}},
         {"pose.comp", {{"SURFACES", "0"}}}, {"pose.comp", {{"SURFACES", "1"}}}, {"screen.vert", {}},
-        {"early_z.frag", {}}, {"intersect.frag", {}},
-        {"intersect.frag", {{"FIRSTHIT_COUNT_INVOCATIONS", ""}}}, {"shadow_depth.vert", {}},
-        {"shadow_depth.frag", {}}, {"store_map.comp", {}}, {"average.frag", {}},
-        {"fill_holes.frag", {}}};
-    for (const bool stored : {false, true}) {
-        gl::Defines defines;
-        if (stored) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
-        variants.push_back({"shade_hits.frag", defines});
-        variants.push_back({"hit_bounds.comp", defines});
-        for (int aov = 0; aov < kAovCount; ++aov) {
-            variants.push_back({"plane.frag", defines});
-            variants.back().defines.push_back({"FIRSTHIT_PLANE", std::to_string(aov)});
-        }
+        {"shadow_depth.vert", {}}, {"shadow_depth.frag", {}}, {"store_map.comp", {}},
+        {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "0"}, {"FIRSTHIT_STORED_HITS", ""}}},
+        {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "1"}, {"FIRSTHIT_STORED_HITS", ""}}},
+        {"average.frag", {}}, {"fill_holes.frag", {}}};
+    // Every value of every define, and those that meet in one place together.
+    const auto add = [&](const std::string& shader, int test, int channels, bool on, int plane) {
+        const std::string flag = on ? "1" : "0";
+        gl::Defines defines = {{"FIRSTHIT_TEST", std::to_string(test)},
+            {"FIRSTHIT_ITEM_CHANNELS", std::to_string(channels)}, {"FIRSTHIT_SHADOW_MAPS", flag},
+            {"FIRSTHIT_TEXTURES", flag}, {"FIRSTHIT_FEW_LIGHTS", on ? "28" : "0"},
+            {"FIRSTHIT_PLANE", std::to_string(plane)}};
+        variants.push_back({shader, defines});
+        defines.push_back({"FIRSTHIT_STORED_HITS", ""});
         defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
-        variants.push_back({"shade_hits.frag", defines});
+        variants.push_back({shader, defines});
+    };
+    for (const char* shader :
+        {"early_z.frag", "intersect.frag", "hit_bounds.comp", "shade_hits.frag"}) {
+        for (int test = 0; test < 4; ++test) add(shader, test, 1, true, 0);
+        for (const int channels : {3, 4}) add(shader, 1, channels, false, 0);
     }
+    for (int aov = 0; aov < kAovCount; ++aov) add("plane.frag", 1, 1, aov % 2 == 0, aov);
     return variants;
 }
 

@@ -1,6 +1,7 @@
 // average.frag - a pixel's colour: the mean of its N x N samples, of those that were found.
+#include "frame.glsl"
 
-layout(binding = 2) uniform sampler2D colors;
+layout(binding = 3) uniform sampler2D colors;
 layout(location = 0) uniform int samples; // N
 layout(location = 0) out vec4 color_out;
 
@@ -11,7 +12,8 @@ void main()
     for (int y = 0; y < samples; ++y)
         for (int x = 0; x < samples; ++x) {
             vec4 color = texelFetch(colors, first + ivec2(x, y), 0);
-            sum += color.a > 0.0 ? color : vec4(0.0);
+            if (color.a != kHoleAlpha) sum += vec4(color.rgb, 1.0);
         }
-    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) : vec4(texelFetch(colors, first, 0).rgb, 0.0);
+    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, kHitAlpha)
+                            : vec4(texelFetch(colors, first, 0).rgb, kHoleAlpha);
 }

@@ -1,7 +1,7 @@
 // count_invocations.glsl - counts the samples that a shader runs for, for tests.
 
 #ifdef FIRSTHIT_COUNT_INVOCATIONS
-layout(std430, binding = 7) buffer Invocations { uint invocations; };
+layout(std430, binding = 0) buffer Invocations { uint invocations; };
 #endif
 
 void count_invocation()

@@ -5,14 +5,13 @@
 #include "frame.glsl"
 #include "items.glsl"
 
-const int kTryAll = 3;
 
 void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
     if (!is_shot(at)) discard;
     // Where every sample tries its neighbours' items, one of them is enough.
-    int reach = frame.test == kTryAll ? frame.reach : 0;
+    int reach = FIRSTHIT_TEST == 3 ? frame.reach : 0;
     bool found = false;
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {

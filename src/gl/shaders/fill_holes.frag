@@ -4,9 +4,8 @@
 // source  Robert and Schoepke 2006, section 4.1
 #include "frame.glsl"
 
-layout(binding = 2) uniform sampler2D colors; // alpha 0: a hole
+layout(binding = 3) uniform sampler2D colors;
 layout(location = 0) out vec4 color_out;
-layout(std430, binding = 7) buffer Filled { uint filled; }; // holes that got a colour
 
 const int kReach = 16;
 
@@ -21,10 +20,11 @@ vec4 color_around(ivec2 at)
             int step = abs(y) == reach ? 1 : 2 * reach;
             for (int x = -reach; x <= reach; x += step) {
                 ivec2 p = at + ivec2(x, y);
-                if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, textureSize(colors, 0)))) continue;
+                if (any(lessThan(p, ivec2(0)))) continue;
+                if (any(greaterThanEqual(p, textureSize(colors, 0)))) continue;
                 if (!is_shot(p)) continue;
                 vec4 color = texelFetch(colors, p, 0);
-                if (color.a > 0.0) sum += vec4(color.rgb, 1.0) / float(x * x + y * y);
+                if (color.a != kHoleAlpha) sum += vec4(color.rgb, 1.0) / float(x * x + y * y);
             }
         }
     return sum;
@@ -34,8 +34,7 @@ void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
     color_out = texelFetch(colors, at, 0);
-    if (color_out.a > 0.0 && is_shot(at)) return;
+    if (color_out.a != kHoleAlpha && is_shot(at)) return;
     vec4 sum = color_around(at);
-    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) : vec4(color_out.rgb, 0.0);
-    if (sum.a > 0.0) atomicAdd(filled, 1u);
+    color_out = sum.a > 0.0 ? vec4(sum.rgb / sum.a, kFilledAlpha) : vec4(color_out.rgb, kHoleAlpha);
 }

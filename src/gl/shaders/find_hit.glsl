@@ -4,11 +4,12 @@
 
 const uint kHole = 0xFFFFFFFEu; // there is an item, but no triangle that is hit; or not shot
 
-/// What the ray does where the item's triangle is missed: frame.test.
-const int kTakeItem = 0; // the items are exact: nothing is missed
-const int kTestItem = 1; // a hole
-const int kTryNeighbours = 2; // the nearest hit among the items around
-const int kTryAll = 3; // the same, also where the first test succeeds
+// FIRSTHIT_TEST: what the ray does where the item's triangle is missed. Variants of the shader:
+// drivers that run many samples side by side run both sides of a branch.
+#define TAKE_ITEM 0 // the items are exact: nothing is missed
+#define TEST_ITEM 1 // a hole
+#define TRY_NEIGHBOURS 2 // the nearest hit among the items around
+#define TRY_ALL 3 // the same, also where the first test succeeds
 
 struct Hit {
     uint item;
@@ -23,7 +24,7 @@ bool is_hit(Hit hit)
 
 #ifdef FIRSTHIT_STORED_HITS
 
-layout(binding = 1) uniform usampler2D hits;
+layout(binding = 2) uniform usampler2D hits;
 
 Hit find_hit(ivec2 sample_at)
 {
@@ -41,6 +42,7 @@ TriangleHit test_triangle(uint triangle, vec3 d)
         eye_position(corner.x), eye_position(corner.y), eye_position(corner.z), d);
 }
 
+#if FIRSTHIT_TEST == TRY_NEIGHBOURS || FIRSTHIT_TEST == TRY_ALL
 /// The nearest hit among the items around the sample, the lowest id where two are as near.
 Hit nearest_around(ivec2 sample_at, vec3 d, Hit otherwise)
 {
@@ -63,6 +65,7 @@ Hit nearest_around(ivec2 sample_at, vec3 d, Hit otherwise)
     }
     return nearest;
 }
+#endif
 
 Hit find_hit(ivec2 sample_at)
 {
@@ -72,14 +75,20 @@ Hit find_hit(ivec2 sample_at)
     vec3 d = eye_direction(sample_at);
     Hit otherwise = hole;
     if (item == kNoItem) otherwise.item = kNoItem;
-    if (frame.test == kTryAll) return nearest_around(sample_at, d, otherwise);
+#if FIRSTHIT_TEST == TRY_ALL
+    return nearest_around(sample_at, d, otherwise);
+#else
     if (item == kNoItem) return otherwise;
     if (item < frame.triangles) {
         TriangleHit found = test_triangle(item, d);
-        if (found.hit || frame.test == kTakeItem) return Hit(item, found.t, found.u, found.v);
+        if (found.hit || FIRSTHIT_TEST == TAKE_ITEM) return Hit(item, found.t, found.u, found.v);
     }
-    if (frame.test == kTryNeighbours) return nearest_around(sample_at, d, hole);
+#if FIRSTHIT_TEST == TRY_NEIGHBOURS
+    return nearest_around(sample_at, d, hole);
+#else
     return hole;
+#endif
+#endif
 }
 
 #endif

@@ -11,20 +11,22 @@ layout(std140, binding = 0) uniform Frame
     vec3 forward;
     int lights;
     vec3 background;
-    int test; // how the item is repaired, see find_hit
+    int reach; // neighbours on each side that are tried for a missed item
     vec3 ambient;
-    int reach; // neighbours on each side that are tried
+    float bias; // of maps
     ivec2 size; // of the part, samples
     ivec2 corner; // the part's first sample, in the picture
-    uint triangles;
-    int interleave; // every so-many-th sample of a row is shot
-    int has_uv;
-    int shadow_maps; // 0: every light reaches everything
-    int filter_size; // N: N x N texels are compared
-    float bias; // of maps
+    uint triangles; // items from here on are none
+    int interleave; // every so-many-th sample of a row is shot: hits/lattice.h
     int interleave_shift; // from row to row
-    int item_channels; // 1: integers; 3, 4: colours
+    int filter_size; // N: N x N texels are compared
 } frame;
+
+/// The alpha of a sample says where its colour is from.
+const float kHoleAlpha = 0.0; // nowhere: its triangle was not found, or it was not shot
+const float kFilledAlpha = 0.25; // the colours around it
+const float kBackgroundAlpha = 0.5;
+const float kHitAlpha = 1.0;
 
 /// Whether the sample's ray is shot, or its colour comes from its neighbours.
 bool is_shot(ivec2 sample_at)

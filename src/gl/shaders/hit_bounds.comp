@@ -1,5 +1,6 @@
 // hit_bounds.comp - the part of each light's projection that visible hits fill: the rectangles of
-// src/shadow/hit_bounds.h. A group is a block of 8 x 8 samples.
+// src/shadow/hit_bounds.h. An invocation is a block of 8 x 8
+// samples.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
@@ -7,21 +8,32 @@
 #include "find_hit.glsl"
 #include "lights.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 32) in;
 
 /// (lights, 6 faces): least x and y, as the greatest of their opposite; greatest x and y; hits.
 const int kNumbers = 5;
-layout(std430, binding = 7) buffer Bounds { uint bounds[]; };
-
-shared uint block_bounds[kFaces * kNumbers];
-shared uint block_hits, block_nearest, block_farthest;
-shared uint corners_on[kFaces], corners_reached;
+layout(std430, binding = 0) coherent buffer Bounds { uint bounds[]; };
 
 /// Ordered as the floats are, above 0: so 0 is below all of them.
 uint key_of(float x)
 {
     uint bits = floatBitsToUint(x);
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+void raise(int at, uint key)
+{
+    if (key > bounds[at]) atomicMax(bounds[at], key); // mostly it is not
+}
+
+void add_rectangle(int light_id, int face, vec2 low, vec2 high, uint hits)
+{
+    int first = (light_id * kFaces + face) * kNumbers;
+    raise(first, ~key_of(low.x));
+    raise(first + 1, ~key_of(low.y));
+    raise(first + 2, key_of(high.x));
+    raise(first + 3, key_of(high.y));
+    atomicAdd(bounds[first + 4], hits);
 }
 
 bool has_shadow_ray(vec3 p, bool parallel)
@@ -31,102 +43,81 @@ bool has_shadow_ray(vec3 p, bool parallel)
     return largest < 1e30 && (parallel || largest > 0.0);
 }
 
-void add_point(LightData light, int face, vec3 p)
-{
-    vec2 at = p.xy;
-    if (light.kind != kDirectionalLight) {
-        int axis = face / 2;
-        float inv_z = (face % 2 == 1 ? -1.0 : 1.0) / p[axis];
-        at = vec2(p[(axis + 1) % 3] * inv_z, p[(axis + 2) % 3] * inv_z);
-    }
-    atomicMax(block_bounds[face * kNumbers], ~key_of(at.x));
-    atomicMax(block_bounds[face * kNumbers + 1], ~key_of(at.y));
-    atomicMax(block_bounds[face * kNumbers + 2], key_of(at.x));
-    atomicMax(block_bounds[face * kNumbers + 3], key_of(at.y));
-}
-
 int face_of(LightData light, vec3 p)
 {
     return light.cube != 0 ? face_of(p) : 4;
 }
 
-void add_light(int id, LightData light, bool is_seen, vec3 eye_d, float t)
+/// Where a face sees a point.
+vec2 on_face(LightData light, int face, vec3 p)
 {
-    int thread = int(gl_LocalInvocationIndex);
+    if (light.kind == kDirectionalLight) return p.xy;
+    vec3 turned = face / 2 == 0 ? p.yzx : face / 2 == 1 ? p.zxy : p.xyz;
+    return turned.xy * ((face % 2 == 1 ? -1.0 : 1.0) / turned.z);
+}
+
+struct Block {
+    ivec2 first; // its first sample
+    float nearest, farthest; // depths of its hits
+    uint hits;
+};
+
+/// The hits lie in the hull of the block's four corner rays at its nearest and at its farthest
+/// depth: where these eight points are on one face, they bound it. False where they are not.
+bool add_hull(int light_id, LightData light, Block block)
+{
     bool parallel = light.kind == kDirectionalLight;
-    for (int k = thread; k < kFaces * kNumbers; k += 64) block_bounds[k] = 0u;
-    if (thread < kFaces) corners_on[thread] = 0u;
-    if (thread == 0) corners_reached = 0u;
-    barrier();
+    vec2 low = vec2(uintBitsToFloat(0x7F800000u)), high = -low;
+    int shared_face = -1;
+    bool one_face = light.tan2_cone == 0.0;
+    for (int k = 0; k < 8; ++k) {
+        vec3 d = eye_direction(block.first + 7 * ivec2(k & 1, k >> 1 & 1));
+        vec3 p = transform_ray(light.to_frame, d, k < 4 ? block.nearest : block.farthest);
+        int face = face_of(light, p);
+        if (k == 0) shared_face = face;
+        one_face = one_face && face == shared_face && has_shadow_ray(p, parallel);
+        vec2 at = on_face(light, face, p);
+        low = min(low, at);
+        high = max(high, at);
+    }
+    if (one_face) add_rectangle(light_id, shared_face, low, high, block.hits);
+    return one_face;
+}
 
-    // The hits lie in the hull of the block's four corner rays at its nearest and at its farthest
-    // depth. Where all eight points are on one face, they bound it.
-    vec3 corner = vec3(0.0);
-    bool reached = false;
-    if (thread < 8) {
-        ivec2 first = ivec2(gl_WorkGroupID.xy) * 8;
-        vec3 d = eye_direction(first + 7 * ivec2(thread & 1, thread >> 1 & 1));
-        corner = transform_ray(
-            light.to_frame, d, uintBitsToFloat(thread < 4 ? block_nearest : block_farthest));
-        reached = has_shadow_ray(corner, parallel);
-        if (reached) atomicAdd(corners_reached, 1u);
-        atomicAdd(corners_on[face_of(light, corner)], 1u);
+void add_hits(int light_id, LightData light, Block block)
+{
+    bool parallel = light.kind == kDirectionalLight;
+    for (int k = 0; k < 64; ++k) {
+        ivec2 at = block.first + ivec2(k & 7, k >> 3);
+        if (any(greaterThanEqual(at, frame.size))) continue;
+        Hit hit = find_hit(at);
+        if (!is_hit(hit)) continue;
+        vec3 p = transform_ray(light.to_frame, eye_direction(at), hit.t);
+        if (!has_shadow_ray(p, parallel)) continue;
+        if (light.tan2_cone > 0.0 && !in_cone(p, light.tan2_cone)) continue;
+        int face = face_of(light, p);
+        vec2 seen = on_face(light, face, p);
+        add_rectangle(light_id, face, seen, seen, 1u);
     }
-    barrier();
-    bool as_hull = light.tan2_cone == 0.0 && corners_reached == 8u;
-    int hull_face = -1;
-    for (int face = 0; face < kFaces; ++face)
-        if (corners_on[face] == 8u) hull_face = face;
-    if (as_hull && hull_face >= 0) {
-        if (thread < 8) add_point(light, hull_face, corner);
-        if (thread == 0) block_bounds[hull_face * kNumbers + 4] = block_hits;
-    } else if (is_seen) {
-        vec3 p = transform_ray(light.to_frame, eye_d, t);
-        bool counts = has_shadow_ray(p, parallel);
-        if (light.tan2_cone > 0.0) counts = counts && in_cone(p, light.tan2_cone);
-        if (counts) {
-            int face = face_of(light, p);
-            add_point(light, face, p);
-            atomicAdd(block_bounds[face * kNumbers + 4], 1u);
-        }
-    }
-    barrier();
-
-    for (int k = thread; k < kFaces * kNumbers; k += 64) {
-        uint value = block_bounds[k];
-        int to = id * kFaces * kNumbers + k;
-        if (value == 0u) continue;
-        if (k % kNumbers == 4)
-            atomicAdd(bounds[to], value);
-        else if (value > bounds[to]) // mostly it is not
-            atomicMax(bounds[to], value);
-    }
-    barrier();
 }
 
 void main()
 {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    bool is_seen = false;
-    Hit hit = Hit(kNoItem, 0.0, 0.0, 0.0);
-    if (all(lessThan(at, frame.size))) {
-        hit = find_hit(at);
-        is_seen = is_hit(hit);
+    ivec2 blocks = (frame.size + 7) / 8;
+    int number = int(gl_GlobalInvocationID.x);
+    if (number >= blocks.x * blocks.y) return;
+    Block block = Block(
+        8 * ivec2(number % blocks.x, number / blocks.x), uintBitsToFloat(0x7F800000u), 0.0, 0u);
+    for (int k = 0; k < 64; ++k) {
+        ivec2 at = block.first + ivec2(k & 7, k >> 3);
+        if (any(greaterThanEqual(at, frame.size))) continue;
+        Hit hit = find_hit(at);
+        if (!is_hit(hit)) continue;
+        block.nearest = min(block.nearest, hit.t);
+        block.farthest = max(block.farthest, hit.t);
+        ++block.hits;
     }
-    if (gl_LocalInvocationIndex == 0u) {
-        block_hits = 0u;
-        block_nearest = 0x7F800000u;
-        block_farthest = 0u;
-    }
-    barrier();
-    if (is_seen) {
-        atomicAdd(block_hits, 1u);
-        atomicMin(block_nearest, floatBitsToUint(hit.t));
-        atomicMax(block_farthest, floatBitsToUint(hit.t));
-    }
-    barrier();
-    bool is_empty = block_hits == 0u;
-    if (is_empty) return;
+    if (block.hits == 0u) return;
     for (int id = 0; id < frame.lights; ++id)
-        add_light(id, light_data[id], is_seen, eye_direction(at), hit.t);
+        if (!add_hull(id, light_data[id], block)) add_hits(id, light_data[id], block);
 }

@@ -46,7 +46,12 @@ struct MapData {
     int unused0, unused1, unused2;
 };
 
-layout(std430, binding = 8) readonly buffer Lights { LightData light_data[]; };
+// FIRSTHIT_FEW_LIGHTS: they fit into uniform blocks, which are faster.
+#if FIRSTHIT_FEW_LIGHTS
+layout(std140, binding = 1) uniform Lights { LightData light_data[FIRSTHIT_FEW_LIGHTS]; };
+#else
+layout(std430, binding = 1) readonly buffer Lights { LightData light_data[]; };
+#endif
 
 vec3 transform_ray(RayTransform to, vec3 eye_d, float t)
 {

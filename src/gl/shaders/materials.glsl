@@ -9,4 +9,19 @@ struct MaterialData {
     int whole_shininess; // the exponent, if it is whole and small, else -1
 };
 
-layout(std430, binding = 5) readonly buffer Materials { MaterialData materials[]; };
+layout(binding = 11) uniform samplerBuffer materials; // three texels each
+
+int material_texture(uint material)
+{
+    return floatBitsToInt(texelFetch(materials, 3 * int(material)).w);
+}
+
+MaterialData material_data(uint material)
+{
+    int first = 3 * int(material);
+    vec4 ambient = texelFetch(materials, first);
+    vec4 diffuse = texelFetch(materials, first + 1);
+    vec4 specular = texelFetch(materials, first + 2);
+    return MaterialData(ambient.xyz, floatBitsToInt(ambient.w), diffuse.xyz, diffuse.w,
+        specular.xyz, floatBitsToInt(specular.w));
+}

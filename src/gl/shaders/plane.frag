@@ -50,7 +50,7 @@ void main()
 #elif FIRSTHIT_PLANE == 6 // position
     plane_out.xyz = surface.position;
 #elif FIRSTHIT_PLANE == 7 // albedo
-    plane_out.xyz = materials[surface.material].diffuse * texture_of(surface);
+    plane_out.xyz = material_data(surface.material).diffuse * texture_of(surface);
 #elif FIRSTHIT_PLANE == 9 // lit
     plane_out.x = lit_by(light_id, at, hit, surface);
 #endif

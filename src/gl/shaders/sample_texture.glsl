@@ -3,9 +3,14 @@
 // All texels of all textures lie in one buffer (gl/texture_words.h): any number of textures of any
 // size, and the texels' weights are the text's own, not a texture unit's 8 bits.
 
-layout(std430, binding = 6) readonly buffer TextureWords { uint texture_words[]; };
+layout(binding = 12) uniform usamplerBuffer texture_words;
 
 const uint kTextureTable = 256u; // before it: linear light of the 256 sRGB codes, floats
+
+uint texture_word(uint at)
+{
+    return texelFetch(texture_words, int(at)).x;
+}
 
 struct TextureLevel {
     uint first; // of its texels
@@ -17,13 +22,13 @@ struct TextureLevel {
 uvec2 texture_levels(int texture_id)
 {
     uint row = kTextureTable + 2u * uint(texture_id);
-    return uvec2(texture_words[row], texture_words[row + 1u]);
+    return uvec2(texture_word(row), texture_word(row + 1u));
 }
 
 TextureLevel texture_level(uint row)
 {
     return TextureLevel(
-        texture_words[row], int(texture_words[row + 1u]), int(texture_words[row + 2u]));
+        texture_word(row), int(texture_word(row + 1u)), int(texture_word(row + 2u)));
 }
 
 /// Of level 0, texels.
@@ -35,12 +40,12 @@ vec2 texture_size(int texture_id)
 
 float linear_light(uint code)
 {
-    return uintBitsToFloat(texture_words[code & 255u]);
+    return uintBitsToFloat(texture_word(code & 255u));
 }
 
 vec3 texel_color(uint at)
 {
-    uint rgba = texture_words[at];
+    uint rgba = texture_word(at);
     return vec3(linear_light(rgba), linear_light(rgba >> 8), linear_light(rgba >> 16));
 }
 

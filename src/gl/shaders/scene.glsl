@@ -1,40 +1,42 @@
-// scene.glsl - triangles as they are posed: see gl/scene_buffers.h.
+// scene.glsl - triangles as they are posed: see gl/scene_textures.h.
+//
+// Arrays are fetched as texels, as in the paper (section 4.2.1): drivers are faster at it than at
+// storage blocks.
 
-layout(std430, binding = 0) readonly buffer Index { uint corner_index[]; };
-layout(std430, binding = 1) readonly buffer Eye { vec4 eye_of_vertex[]; };
-layout(std430, binding = 2) readonly buffer World { vec4 world_of_vertex[]; };
-layout(std430, binding = 3) readonly buffer Normal { vec4 normal_of_vertex[]; };
-layout(std430, binding = 4) readonly buffer TriangleMaterial { uint material_of_triangle[]; };
-layout(std430, binding = 11) readonly buffer Uv { vec2 uv_of_vertex[]; }; // empty where there is none
+layout(binding = 5) uniform usamplerBuffer corner_index; // (T) the vertices of a triangle
+layout(binding = 6) uniform samplerBuffer eye_of_vertex; // (V)
+layout(binding = 7) uniform samplerBuffer world_of_vertex;
+layout(binding = 8) uniform samplerBuffer normal_of_vertex;
+layout(binding = 9) uniform samplerBuffer uv_of_vertex; // empty where there is none
+layout(binding = 10) uniform usamplerBuffer material_of_triangle;
 
 uvec3 triangle_corners(uint triangle)
 {
-    uint first = 3u * triangle;
-    return uvec3(corner_index[first], corner_index[first + 1u], corner_index[first + 2u]);
+    return texelFetch(corner_index, int(triangle)).xyz;
 }
 
 /// In the space of exact/pencil.h.
 vec3 eye_position(uint vertex)
 {
-    return eye_of_vertex[vertex].xyz;
+    return texelFetch(eye_of_vertex, int(vertex)).xyz;
 }
 
 vec3 world_position(uint vertex)
 {
-    return world_of_vertex[vertex].xyz;
+    return texelFetch(world_of_vertex, int(vertex)).xyz;
 }
 
 vec3 world_normal(uint vertex)
 {
-    return normal_of_vertex[vertex].xyz;
+    return texelFetch(normal_of_vertex, int(vertex)).xyz;
 }
 
 vec2 vertex_uv(uint vertex)
 {
-    return uv_of_vertex[vertex];
+    return texelFetch(uv_of_vertex, int(vertex)).xy;
 }
 
 uint triangle_material(uint triangle)
 {
-    return material_of_triangle[triangle];
+    return texelFetch(material_of_triangle, int(triangle)).x;
 }

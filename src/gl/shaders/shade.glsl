@@ -5,22 +5,27 @@
 /// How much of a light the shadows leave.
 float lit_by(int light_id, ivec2 sample_at, Hit hit, Surface surface)
 {
-    if (frame.shadow_maps == 0) return 1.0;
+#if FIRSTHIT_SHADOW_MAPS
     return look_up(light_id, light_data[light_id], eye_direction(sample_at), hit.t, surface);
+#else
+    return 1.0; // every light reaches everything
+#endif
 }
 
 /// The material's diffuse colour is multiplied by this.
 vec3 texture_of(Surface surface)
 {
-    int texture_id = materials[surface.material].texture_id;
-    if (texture_id < 0 || frame.has_uv == 0) return vec3(1.0);
-    return sample_texture(texture_id, surface.uv, surface.footprint2);
+#if FIRSTHIT_TEXTURES
+    int texture_id = material_texture(surface.material);
+    if (texture_id >= 0) return sample_texture(texture_id, surface.uv, surface.footprint2);
+#endif
+    return vec3(1.0);
 }
 
 /// Ambient light and that of all lights.
 vec3 shade(ivec2 sample_at, Hit hit, Surface surface)
 {
-    MaterialData material = materials[surface.material];
+    MaterialData material = material_data(surface.material);
     vec3 texture_color = texture_of(surface);
     vec3 diffuse = material.diffuse * texture_color;
     bool glossy = material.specular != vec3(0.0);

@@ -24,13 +24,13 @@
 #ifdef FIRSTHIT_STORED_HITS
 layout(early_fragment_tests) in;
 #endif
-layout(location = 0) out vec4 color_out; // linear Rec.709; alpha 0: nothing was found there
+layout(location = 0) out vec4 color_out; // linear Rec.709, and where it is from: frame.glsl
 
 void main()
 {
     count_invocation();
     ivec2 at = ivec2(gl_FragCoord.xy);
     Hit hit = find_hit(at);
-    color_out = vec4(frame.background, hit.item == kHole ? 0.0 : 1.0);
-    if (is_hit(hit)) color_out.rgb = shade(at, hit, find_surface(at, hit));
+    color_out = vec4(frame.background, hit.item == kHole ? kHoleAlpha : kBackgroundAlpha);
+    if (is_hit(hit)) color_out = vec4(shade(at, hit, find_surface(at, hit)), kHitAlpha);
 }

@@ -2,8 +2,12 @@
 //
 // source  Robert and Schoepke 2006, section 4.2.1; Reeves, Salesin and Cook 1987 (N x N)
 
-layout(std430, binding = 9) readonly buffer Maps { MapData map_data[]; };
-layout(std430, binding = 10) readonly buffer MapDepth { float map_depth[]; };
+#if FIRSTHIT_FEW_LIGHTS
+layout(std140, binding = 2) uniform Maps { MapData map_data[kFaces * FIRSTHIT_FEW_LIGHTS]; };
+#else
+layout(std430, binding = 2) readonly buffer Maps { MapData map_data[]; };
+#endif
+layout(binding = 13) uniform samplerBuffer map_depth;
 
 const float kRounding = 9.5367431640625e-7; // 2^-20
 
@@ -20,10 +24,11 @@ float steepness_of(LightData light, Surface surface)
 }
 
 /// Where texel (x, y) is in a map: quads of 4 x 4, see shadow/store_depth.h.
-uint texel_offset(MapData map, int x, int y)
+int texel_offset(MapData map, int x, int y)
 {
     int quads = (map.width + 3) / 4;
-    return map.first + uint(((y >> 2) * quads + (x >> 2)) * 16 + (y & 3) * 4 + (x & 3));
+    int quad = (y >> 2) * quads + (x >> 2);
+    return int(map.first) + quad * 16 + (y & 3) * 4 + (x & 3);
 }
 
 int clamped(float x, int most)
@@ -50,7 +55,8 @@ float lit_share(MapData map, bool parallel, vec3 eye_d, float t, float steepness
         int y = clamped(first.y + float(j), map.height - 1);
         for (int i = 0; i < n; ++i) {
             int x = clamped(first.x + float(i), map.width - 1);
-            lit += is_shadowed(map_depth[texel_offset(map, x, y)], depth, epsilon) ? 0.0 : 1.0;
+            float nearest = texelFetch(map_depth, texel_offset(map, x, y)).x;
+            lit += is_shadowed(nearest, depth, epsilon) ? 0.0 : 1.0;
         }
     }
     lit /= float(n * n);

@@ -8,7 +8,7 @@ layout(location = 0) uniform ivec2 size; // texels
 layout(location = 1) uniform uint first; // of the map's texels
 layout(location = 2) uniform float range; // see shadow_depth.vert
 layout(location = 3) uniform bool parallel;
-layout(std430, binding = 7) writeonly buffer MapDepth { float map_depth[]; };
+layout(std430, binding = 0) writeonly buffer MapDepth { float map_depth[]; };
 
 void main()
 {

@@ -47,10 +47,7 @@ Surface find_surface(ivec2 sample_at, Hit hit)
     surface.corner = world_position(corner.x);
     vec3 n = unit(cross(scaled(world_position(corner.y) - surface.corner),
         scaled(world_position(corner.z) - surface.corner)));
-    vec3 p0 = eye_position(corner.x);
-    float volume = dot(
-        cross(scaled(eye_position(corner.y) - p0), scaled(eye_position(corner.z) - p0)), p0);
-    surface.geometric = volume > 0.0 ? -n : n;
+    surface.geometric = dot(n, d) > 0.0 ? -n : n;
 
     vec3 n0 = world_normal(corner.x);
     vec3 n1 = world_normal(corner.y);
@@ -63,16 +60,18 @@ Surface find_surface(ivec2 sample_at, Hit hit)
     surface.material = triangle_material(hit.item);
     surface.uv = vec2(0.0);
     surface.footprint2 = 0.0;
-    if (frame.has_uv != 0) {
+#if FIRSTHIT_TEXTURES
+    {
         vec2 uv0 = vertex_uv(corner.x);
         vec2 uv1 = vertex_uv(corner.y) - uv0;
         vec2 uv2 = vertex_uv(corner.z) - uv0;
         vec2 uv = uv1 * hit.u + uv2 * hit.v;
         surface.uv = uv0 + uv;
-        int texture_id = materials[surface.material].texture_id;
+        int texture_id = material_texture(surface.material);
         if (texture_id >= 0)
             surface.footprint2 =
                 surface_footprint2(corner, hit, uv1, uv2, uv, texture_size(texture_id));
     }
+#endif
     return surface;
 }
