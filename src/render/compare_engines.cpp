@@ -93,7 +93,7 @@ std::optional<double> EngineComparer::Impl::lend_items(
     const Region& region = view.region;
     const Pencil& last_part = cpu_memory.view.pencil;
     const bool at_once = last_part.width == region.width && last_part.height == region.height &&
-                         std::max(region.width, region.height) <= gl::GpuFrame::kPartSide;
+                         std::max(region.width, region.height) <= gl::GpuOptions().part_side;
     if (settings.engine != Engine::gpu || settings.samples > 1 || !at_once) return std::nullopt;
     Settings lent = settings;
     lent.aovs.clear();

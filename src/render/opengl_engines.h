@@ -40,7 +40,7 @@ class OpenGlEngines {
         Film& film, Stats& stats);
 
     /// The same with items and maps of the cpu engine, for pictures that are made at once: their
-    /// sides have at most gl::GpuFrame::kPartSide samples.
+    /// sides have at most gl::GpuOptions::part_side samples.
     /// items  (height, width) of the samples of the view's region
     /// maps   null: they are drawn
     void render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
