@@ -65,7 +65,7 @@ struct EngineComparer::Impl {
     Tasks tasks;
     FrameMemory cpu_memory, engine_memory;
     Film cpu_film, engine_film, lent_film;
-    ViewMemory eye; // of the pixels' centres
+    ViewMemory eye; // corners
     std::string device;
 #ifdef FIRSTHIT_GL
     std::unique_ptr<OpenGlEngines> opengl;
@@ -123,7 +123,9 @@ std::optional<double> EngineComparer::Impl::lend_items(const World&, const View&
 void EngineComparer::Impl::count_items(
     const World& world, const View& view, EngineComparison& result)
 {
-    eye.pencil = pencil_of(view, view.region, 1);
+    const Pencil pencil = pencil_of(view, view.region, 1);
+    eye.pencil = pencil;
+    eye.pencil.width = eye.pencil.height = 1; // only corners are wanted, of any size of picture
     project_vertices(world.position, eye, tasks);
     const EyeTriangles triangles{
         eye.corner.span().first(world.position.size()), world.scene->index};
@@ -133,8 +135,8 @@ void EngineComparer::Impl::count_items(
         if (engine == kNoItem)
             ++result.missed;
         else
-            ++(is_tie(triangles, cpu, engine, direction_of(eye.pencil, k)) ? result.ties
-                                                                           : result.wrong);
+            ++(is_tie(triangles, cpu, engine, direction_of(pencil, k)) ? result.ties
+                                                                       : result.wrong);
     }
 }
 
