@@ -56,6 +56,14 @@ picture 'robots, exact' builtin:robots --frames 0:10:5 -o out/robots_%d.png
 picture 'robots, maps' builtin:robots --frames 0:10:5 -o out/robots_maps_%d.png --shadows map
 picture 'robots, a spot' builtin:robots --time 9 -o out/robots_spot.png --light spot:0,7,0,0,-1,0,90,60
 picture 'robots, a sun' builtin:robots --time 9 -o out/robots_sun.png --light directional:-1,-0.7,0.4
+# On OpenGL, where there is one: Mesa's software driver will do.
+if "$firsthit" render builtin:torus --size 16x16 --engine gpu -o out/opengl.png 2>out/opengl.txt; then
+    picture 'robots, hybrid' builtin:robots --frames 0:10:5 -o out/robots_hybrid_%d.png --engine hybrid
+    picture 'robots, gpu' builtin:robots --frames 0:10:5 -o out/robots_gpu_%d.png --engine gpu
+else
+    echo "without the OpenGL engines: $(cat out/opengl.txt)"
+fi
+rm -f out/opengl.png out/opengl.txt
 picture 'robots, 2x2 rays' builtin:robots --time 5 --samples 2 -o out/robots_smooth.png
 picture wave 'builtin:wave?n=100000' --time 1 -o out/wave.png
 picture animation builtin:robots --size 640x360 --frames 0:2:48 -o out/animation/robots_%04d.png

@@ -275,6 +275,43 @@ if [ "$(awk '/MemTotal/ { print int($2 / 1000000) }' /proc/meminfo)" -lt 200 ]; 
     expect_files
 fi
 
+# --- engines ----------------------------------------------------------------------------------
+expect 2 "'cuda' is no engine: accepted are cpu, hybrid, gpu and auto" render builtin:torus -o a.png --engine cuda
+expect 2 'accepted are r32ui, rgb8 and rgba8' render builtin:torus -o a.png --item-format rgb
+expect 2 'accepted are float32 and fixed24' render builtin:torus -o a.png --depth-format 16
+expect 2 'accepted are sync and async' render builtin:torus -o a.png --readback later
+expect 2 'accepted are single and multi' render builtin:torus -o a.png --gpu-passes two
+expect 2 '--readback-chunks' render builtin:torus -o a.png --readback-chunks 65
+expect 2 'has shadow maps only' render builtin:torus -o a.png --engine gpu --shadows exact
+expect_files
+# Nothing to draw on, and too old a version: a clear refusal, and the cpu engine where the choice is ours.
+without_opengl()
+{
+    export "$1"
+    expect 1 'OpenGL' render builtin:torus --size 16x16 -o a.png --engine gpu
+    expect 1 'OpenGL' render builtin:torus --size 16x16 -o a.png --engine hybrid
+    expect_files
+    expect 0 'firsthit: engine cpu: ' render builtin:torus --size 16x16 -o a.png --engine auto
+    expect_files a.png
+    unset "${1%%=*}"
+}
+without_opengl __EGL_VENDOR_LIBRARY_DIRS=/nonexistent
+without_opengl MESA_GL_VERSION_OVERRIDE=3.3
+if "$program" render builtin:torus --size 16x16 -o a.png --engine gpu 2>stderr; then
+    for engine in hybrid gpu; do
+        expect 0 "\"engine\": \"$engine\"" render builtin:torus --size 16x16 -o a.png --engine $engine --stats-json -
+        expect 0 "engine $engine on .*OpenGL 4" render builtin:torus --size 16x16 -o a.png --engine $engine --stats
+    done
+    expect 0 '' render builtin:torus --size 16x16 --engine hybrid --aov item=h.npy --multisample exact
+    expect 0 '' render builtin:torus --size 16x16 --engine gpu --aov item=g.npy --multisample exact
+    expect 0 '' render builtin:torus --size 16x16 --aov item=c.npy
+    cmp -s h.npy c.npy || fail "items of the hybrid engine are not those of the cpu engine"
+    cmp -s g.npy c.npy || fail "items of the gpu engine are not those of the cpu engine"
+    expect_files a.png h.npy g.npy c.npy
+else
+    echo "skipped: 7 checks of the OpenGL engines, which are not here: $(cat stderr)"
+fi
+
 # Stopped in the middle of an animation, what is there is whole and nothing else is.
 "$program" render builtin:robots --frames 0:10:100000 -o f_%06d.png --size 64x64 >stdout 2>stderr &
 child=$!
