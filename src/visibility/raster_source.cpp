@@ -5,7 +5,23 @@
 #include "visibility/project.h"
 #include "visibility/raster_tile.h"
 
+#include <firsthit/scene.h>
+
 namespace firsthit {
+namespace {
+
+/// The rasteriser fills whole blocks: what lies beyond the picture is nobody's hit.
+void clear_outside(const ViewMemory& memory, int tile, ItemTile& out)
+{
+    const int columns = memory.pencil.width - tile % memory.tiles_x * out.size;
+    const int rows = memory.pencil.height - tile / memory.tiles_x * out.size;
+    if (columns >= out.size && rows >= out.size) return;
+    for (int y = 0; y < out.size; ++y)
+        for (int x = y < rows ? columns : 0; x < out.size; ++x)
+            out.item[std::size_t(tile_offset(x, y, out.size))] = kNoItem;
+}
+
+} // namespace
 
 bool RasterSource::start(const World& world, const View& /*view*/, const Region& /*part*/,
     int /*samples*/, ViewMemory& memory, Tasks& tasks)
@@ -23,6 +39,7 @@ void RasterSource::tile(const ViewMemory& memory, int tile, ItemTile& out,
     std::span<std::uint64_t> /*holes*/, std::size_t /*worker*/)
 {
     raster_tile(memory, tile, out);
+    clear_outside(memory, tile, out);
 }
 
 } // namespace firsthit
