@@ -125,7 +125,7 @@ struct Stats {
     std::uint64_t shadow_pairs = 0;      // tests of a triangle against a point
     std::uint64_t shadow_uncertain = 0;  // of these, left open by the float filter
     std::uint64_t map_updates = 0;       // shadow maps made anew
-    std::uint64_t uploaded_bytes = 0;    // to OpenGL
+    std::uint64_t uploaded_bytes = 0;    // of the scene to OpenGL: what is new in this frame
 };
 
 /// What a frame was made on.

@@ -162,7 +162,8 @@ Context::Context()
     find_libraries();
     const char* const client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has_word(client, "EGL_EXT_platform_base"))
-        throw DeviceError("OpenGL: this EGL cannot do without a display (EGL_EXT_platform_base)");
+        throw DeviceError("OpenGL: EGL has no driver, or none that can do without a display "
+                          "(EGL_EXT_platform_base; Debian packages libegl1 libgl1-mesa-dri)");
     for (const EGLDisplay display : device_displays(client)) {
         if (open(display, "device") && info_.hardware) return;
         if (context_) eglDestroyContext(display_, context_);

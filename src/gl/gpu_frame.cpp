@@ -224,7 +224,7 @@ void GpuFrame::render(const World& world, const View& view, const Settings& sett
     clear_unused(film, settings.color, settings.aovs);
     resize(film, film.width, film.height, settings.color, settings.aovs, world.lights.size());
     const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
-    const std::uint64_t updates = shadows_.updates();
+    const std::uint64_t updates = shadows_.updates(), uploaded = uploaded_bytes();
     const Job job{world, view, settings, items, tasks, film, stats, maps, shadows};
     // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
     // not all pixels, they are a second pass.
@@ -234,6 +234,7 @@ void GpuFrame::render(const World& world, const View& view, const Settings& sett
         render_pass(job, settings.samples, settings.color, planes && together);
     if (planes && !together) render_pass(job, 1, false, true);
     stats.map_updates += shadows_.updates() - updates;
+    stats.uploaded_bytes += uploaded_bytes() - uploaded;
     check("rendering a frame");
 }
 

@@ -55,6 +55,11 @@ class GpuFrame {
     void find_shadows(const Job& job, const SampleFrame& frame, bool stored);
     void read_planes(const Job& job, const Part& part, bool stored);
     double stage_ms();
+    /// Of the scene so far.
+    std::uint64_t uploaded_bytes() const
+    {
+        return scene_.uploaded_bytes() + materials_.uploaded_bytes();
+    }
 
     const Context& context_;
     GpuOptions options_;

@@ -93,6 +93,7 @@ void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
     if (kept_material_.follow(material_)) {
         materials_.assign(std::span<const MaterialData>(material_));
         ++uploads_;
+        uploaded_bytes_ += material_.size() * sizeof(MaterialData);
     }
 
     fill_tables(scene, tables_);
@@ -118,6 +119,7 @@ void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
     });
     texture_words_.assign(std::span<const std::uint32_t>(words_));
     ++uploads_;
+    uploaded_bytes_ += words_.size() * sizeof(std::uint32_t);
     check("uploading textures");
 }
 

@@ -28,6 +28,7 @@ class MaterialBuffers {
 
     /// So far.
     std::uint64_t uploads() const { return uploads_; }
+    std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
     BufferTexture material_texels_, word_texels_;
@@ -37,7 +38,7 @@ class MaterialBuffers {
     KeptCopy<MaterialData> kept_material_;
     std::vector<std::uint32_t> tables_;
     std::vector<std::uint32_t> words_; // copy of texture_words_
-    std::uint64_t uploads_ = 0;
+    std::uint64_t uploads_ = 0, uploaded_bytes_ = 0;
 };
 
 } // namespace firsthit::gl

@@ -67,15 +67,21 @@ void SceneBuffers::lend_eye_space(
 {
     // Surfaces need the rest of what posing makes; items need nothing but what is lent.
     if (detail_ == Detail::surfaces) {
-        if (update(world, pencil)) run_pose();
+        if (update(world, pencil)) {
+            run_pose();
+            eye_is_lent_ = false;
+        }
     } else {
         check_sizes(*world.scene);
         upload_scene(*world.scene);
     }
-    eye_.resize(vertices_ * sizeof(glm::vec4));
-    eye_.upload(0, corner.data(), vertices_ * sizeof(glm::vec4));
-    uploaded_bytes_ += vertices_ * sizeof(glm::vec4);
-    eye_is_lent_ = true;
+    if (kept_lent_.follow(corner.first(vertices_)) || !eye_is_lent_) {
+        eye_is_lent_ = false; // until it is there
+        eye_.resize(vertices_ * sizeof(glm::vec4));
+        eye_.upload(0, corner.data(), vertices_ * sizeof(glm::vec4));
+        uploaded_bytes_ += vertices_ * sizeof(glm::vec4);
+        eye_is_lent_ = true;
+    }
     check("uploading vertices");
 }
 

@@ -106,6 +106,7 @@ class SceneBuffers {
     bool eye_is_lent_ = false;
 
     KeptCopy<glm::vec3> kept_rest_position_, kept_rest_normal_, kept_moving_, kept_moving_normal_;
+    KeptCopy<glm::vec4> kept_lent_;
     KeptCopy<glm::vec2> kept_uv_;
     KeptCopy<glm::uvec3> kept_index_;
     KeptCopy<std::uint32_t> kept_owner_;

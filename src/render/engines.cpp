@@ -69,7 +69,9 @@ void Engines::render_by(
 #else
         (void)engines;
 #endif
-    } catch (const DeviceError&) {
+    } catch (const ArgumentError&) {
+        throw; // before anything was drawn
+    } catch (...) {
         opengl_.reset(); // a lost context, or no memory: the next frame starts anew
         throw;
     }

@@ -48,15 +48,16 @@ class OpenGlEngines {
         Stats& stats);
 
   private:
-    /// The members make the context current by themselves.
+    /// The members make the context current by themselves. Items go first: where a frame was given
+    /// up, they wait for the thread that still draws.
     struct Hybrid {
         explicit Hybrid(const gl::Context& context, gl::SceneBuffers& scene)
-            : items(context, scene),
-              maps(context, scene)
+            : maps(context, scene),
+              items(context, scene)
         {
         }
-        gl::HybridItems items;
         gl::HybridMaps maps;
+        gl::HybridItems items;
     };
 
     gl::Context context_;

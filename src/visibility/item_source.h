@@ -32,7 +32,8 @@ class ItemSource {
     /// that called start().
     virtual std::size_t wait(const ViewMemory& memory) = 0;
 
-    /// Fills out.item of a tile that is ready. Calls for different workers may overlap.
+    /// Fills out.item of a tile that is ready, kNoItem outside the part. Calls for different workers
+    /// may overlap.
     ///
     /// holes  a word for each block of the tile, 0 when called: bits are set for samples whose
     ///        triangle is not found, and their items are kNoItem

@@ -104,5 +104,86 @@ TEST_F(CertifiedItems, AreExactForScenesThatBreakRasterisers)
     }
 }
 
+float uniform(std::mt19937& random, float low, float high)
+{
+    return std::uniform_real_distribution<float>(low, high)(random);
+}
+
+/// The point of eye space that is seen in the direction (x, y), in the world of a straight_view.
+glm::vec3 seen_at(float x, float y, float z, float f)
+{
+    return {x / f * z, y / f * z, z};
+}
+
+void expect_exact(const gl::Context& context, test::TestWorld& made, const View& view)
+{
+    const Counts counts = count(context, made.finish(), view);
+    EXPECT_EQ(counts.wrong, 0u);
+    EXPECT_EQ(counts.wrong_after, 0u);
+}
+
+TEST_F(CertifiedItems, AreExactWhereACornerIsSoFarThatProductsOverflow)
+{
+    std::mt19937 random(1);
+    const auto seen = [&](float z) {
+        return seen_at(uniform(random, -24, 24), uniform(random, -24, 24), z, test::kSize);
+    };
+    test::TestWorld made;
+    for (int k = 0; k < 30; ++k) {
+        const float far = std::pow(10.0f, uniform(random, 18, 26));
+        made.add(seen(1), seen(1), {uniform(random, -1, 1), far * uniform(random, -1, 1), far});
+    }
+    expect_exact(*context, made, test::straight_view(test::kSize, test::kSize, test::kSize));
+}
+
+TEST_F(CertifiedItems, AreExactForScenesSoSmallThatProductsUnderflow)
+{
+    constexpr int kWide = 60000; // nearly all of it behind the picture's edges
+    constexpr float kFocal = 9;
+    View view = test::straight_view(kWide, kWide, kFocal);
+    view.region = {14000, 1, 12, 29};
+    const glm::vec2 middle(14006 - kWide / 2, 15 - kWide / 2);
+    for (int k = 0; k < 40; ++k) {
+        SCOPED_TRACE(k);
+        std::mt19937 random(static_cast<unsigned>(k));
+        const float scale = std::pow(10.0f, uniform(random, -18, -13));
+        test::TestWorld made;
+        for (int t = 0; t < 40; ++t) {
+            const float z = scale * uniform(random, 1, 2);
+            const auto seen = [&] {
+                return seen_at(middle.x + uniform(random, -8, 8),
+                    middle.y + uniform(random, -17, 17), z, kFocal);
+            };
+            made.add(seen(), seen(), seen());
+        }
+        expect_exact(*context, made, view);
+    }
+}
+
+TEST_F(CertifiedItems, AreExactWhereACornerIsSoNearThatItIsFlushedToZero)
+{
+    constexpr int kWide = 60000; // rays that are far from the axis make much of what is lost
+    View view = test::straight_view(kWide, kWide, kWide);
+    view.region = {kWide - 40, kWide - 40, 40, 40};
+    std::mt19937 random(3);
+    const auto seen = [&](float z) {
+        const float edge = kWide / 2;
+        return seen_at(edge + uniform(random, -42, 2), edge + uniform(random, -42, 2), z, kWide);
+    };
+    for (int k = 0; k < 20; ++k) {
+        SCOPED_TRACE(k);
+        test::TestWorld made;
+        for (int t = 0; t < 6; ++t) {
+            const float tiny = uniform(random, 0, 1.1e-38f), big = std::pow(10.0f, float(t));
+            glm::vec3 at_eye = seen(1);
+            at_eye.x *= uniform(random, 0.3f, 1.7f) * tiny;
+            at_eye.y *= uniform(random, 0.3f, 1.7f) * tiny;
+            at_eye.z = tiny;
+            made.add(at_eye, seen(big), seen(big * uniform(random, 0.5f, 2)));
+        }
+        expect_exact(*context, made, view);
+    }
+}
+
 } // namespace
 } // namespace firsthit

@@ -168,6 +168,26 @@ TEST_F(SceneBuffers, LentEyeSpaceHasTheSameBits)
     EXPECT_EQ(buffers.poses(), before + 1);
 }
 
+TEST_F(SceneBuffers, LentEyeSpaceIsUploadedOnlyWhereItIsNew)
+{
+    const Scene scene = load_scene("builtin:robots");
+    World world;
+    pose(scene, 2.5, world);
+    gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
+    const CpuEyeSpace lent(world, pencil_at(world));
+    const auto lend = [&] {
+        const std::uint64_t before = buffers.uploaded_bytes();
+        buffers.lend_eye_space(world, pencil_at(world), lent.memory.corner.span());
+        return buffers.uploaded_bytes() - before;
+    };
+    const std::size_t count = world.position.size();
+    EXPECT_GT(lend(), count * sizeof(glm::vec4));
+    EXPECT_EQ(lend(), 0u);
+    buffers.pose(world, pencil_at(world)); // puts its own in their place
+    EXPECT_EQ(lend(), count * sizeof(glm::vec4));
+    EXPECT_EQ(content(buffers.eye(), count), lent.corners(count));
+}
+
 TEST_F(SceneBuffers, UploadNothingForASceneThatIsStill)
 {
     const Scene scene = load_scene("builtin:wave?n=2000");

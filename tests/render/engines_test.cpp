@@ -145,6 +145,27 @@ TEST_F(Engines, AreSaidAndWhy)
     EXPECT_EQ(renderer_.engine().reason, "exact shadows are made by the cpu engine");
 }
 
+TEST_F(Engines, UploadTheSceneOnceAndSaySo)
+{
+    for (const Engine engine : {Engine::hybrid, Engine::gpu}) {
+        for (const Multisample mode : {Multisample::lazy3, Multisample::exact}) {
+            SCOPED_TRACE(std::to_string(int(engine)) + ", mode " + std::to_string(int(mode)));
+            show("builtin:robots", 2.5);
+            Settings settings;
+            settings.engine = engine;
+            settings.multisample = mode;
+            Renderer renderer(2);
+            Film film;
+            renderer.render(world_, view_, settings, film);
+            EXPECT_GT(
+                renderer.stats().uploaded_bytes, scene_.position.size() * sizeof(glm::vec3) +
+                                                     scene_.index.size() * sizeof(glm::uvec3));
+            renderer.render(world_, view_, settings, film);
+            EXPECT_EQ(renderer.stats().uploaded_bytes, 0u);
+        }
+    }
+}
+
 TEST_F(Engines, RefuseWhatTheyCannotDo)
 {
     Settings settings;

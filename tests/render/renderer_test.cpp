@@ -156,6 +156,23 @@ TEST(Renderer, FillsPlanesThatAgreeWithEachOther)
     EXPECT_GT(hits, 1000);
 }
 
+TEST(Renderer, CountsTheHitsInsideThePictureWhateverTheTileSize)
+{
+    Picture picture;
+    picture.view.width = 97, picture.view.height = 43; // ends amid blocks
+    Settings settings;
+    settings.color = false;
+    settings.aovs = {Aov::item};
+    for (const int tile_size : {8, 64, 128}) {
+        settings.tile_size = tile_size;
+        Renderer renderer(1);
+        Film film;
+        renderer.render(picture.world, picture.view, settings, film);
+        const auto none = std::count(film.item.begin(), film.item.end(), kNoItem);
+        EXPECT_EQ(renderer.stats().hits, film.item.size() - std::size_t(none)) << tile_size;
+    }
+}
+
 TEST(Renderer, ReusesAFilmForAnotherSize)
 {
     Picture picture;

@@ -29,7 +29,7 @@ Corner beside_ray(vec3 p, vec2 ray)
     vec2 shift = ray * p.z;
     Corner corner;
     corner.at = p.xy - shift;
-    corner.error = kUnit * (abs(p.xy) + abs(shift)) + kTiny;
+    corner.error = kUnit * (abs(p.xy) + abs(shift)) + kTiny * (abs(ray) + 1.0);
     return corner;
 }
 
@@ -65,9 +65,9 @@ HitInterval hit_interval(vec3 a, vec3 b, vec3 c, vec2 ray)
     hit.surely = false;
     if (greatest == least && greatest != 0) {
         float sum = abs((ab.x + bc.x) + ca.x), error = ((ab.y + bc.y) + ca.y) * 1.01;
-        // Weights first: products of edges and depths might underflow.
+        // Quotients first: products of edges or errors and depths might underflow.
         float t = abs(bc.x) / sum * a.z + abs(ca.x) / sum * b.z + abs(ab.x) / sum * c.z;
-        float off = error * (hit.most - hit.least) / (sum - error) +
+        float off = error / (sum - error) * (hit.most - hit.least) +
                     8.0 * kUnit * max(abs(hit.least), abs(hit.most)) + kTiny;
         off *= 1.01;
         // What overflows or is no number changes nothing.
