@@ -139,7 +139,9 @@ struct EngineInfo {
 /// context of their own, which is current only inside of render(), where it takes the place of the
 /// caller's: so frames may come from different threads.
 ///
-/// limits  the OpenGL engines take rigid parts from the scene and World::node_matrix, the others from
+/// limits  after fork(), a child makes a renderer of its own and keeps to the cpu engine: drivers'
+///         threads stay with the parent
+///         the OpenGL engines take rigid parts from the scene and World::node_matrix, the others from
 ///         World::position: positions that the caller changed after pose() are not seen
 class Renderer {
   public:

@@ -117,20 +117,6 @@ TEST(Renderer, MakesRegionsOfTheSamePicture)
     }
 }
 
-TEST(Renderer, CountsHitsInThePictureAlone)
-{
-    // No multiple of a block, a register or a tile.
-    Picture picture;
-    picture.view.width = 77, picture.view.height = 43;
-    Settings settings;
-    settings.aovs = {Aov::item};
-    Renderer renderer(1);
-    Film film;
-    renderer.render(picture.world, picture.view, settings, film);
-    const auto none = std::count(film.item.begin(), film.item.end(), kNoItem);
-    EXPECT_EQ(renderer.stats().hits, film.item.size() - std::size_t(none));
-}
-
 TEST(Renderer, FillsPlanesThatAgreeWithEachOther)
 {
     const Picture picture;
