@@ -155,7 +155,6 @@ void HybridItems::find_exact(ViewMemory& memory, Tasks& tasks)
         uncertain = certified_->read_uncertain();
         times_.transfer_ms += watch.lap_ms();
     }
-    Stopwatch watch;
     decided_.resize(uncertain.size());
     find_listed_items(memory, uncertain, lazy_, decided_.span(), tasks);
     for (std::size_t k = 0; k < uncertain.size(); ++k)
