@@ -14,11 +14,16 @@ namespace {
 
 std::atomic<std::size_t> limit{~std::size_t(0)}; // bytes of one block
 
+/// A whole number of alignments.
+std::size_t padded(std::size_t bytes, std::size_t alignment)
+{
+    return (bytes + alignment - 1) / alignment * alignment;
+}
+
 void* allocated(std::size_t bytes, std::size_t alignment)
 {
-    void* const memory = bytes <= limit ? std::aligned_alloc(alignment,
-                                              (bytes + alignment - 1) / alignment * alignment)
-                                        : nullptr;
+    void* const memory =
+        bytes <= limit ? std::aligned_alloc(alignment, padded(bytes, alignment)) : nullptr;
     if (!memory) throw std::bad_alloc();
     return memory;
 }
@@ -32,6 +37,15 @@ void* operator new(std::size_t bytes)
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
     return allocated(bytes, std::size_t(alignment));
+}
+// Drivers use these; what they get has to go the way of all other memory.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept
+{
+    return std::aligned_alloc(alignof(std::max_align_t), padded(bytes, alignof(std::max_align_t)));
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept
+{
+    return std::aligned_alloc(std::size_t(alignment), padded(bytes, std::size_t(alignment)));
 }
 void operator delete(void* memory) noexcept
 {
