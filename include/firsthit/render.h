@@ -136,8 +136,8 @@ struct EngineInfo {
 };
 
 /// Renders frames; keeps the memory that they share. One frame at a time. The OpenGL engines have a
-/// context of their own, which is current only inside of render(), where it takes the place of the
-/// caller's: so frames may come from different threads.
+/// context of their own, which is current on the caller's thread only inside of render(), where it takes
+/// the place of the caller's: so frames may come from different threads.
 ///
 /// limits  after fork(), a child makes a renderer of its own and keeps to the cpu engine: drivers'
 ///         threads stay with the parent

@@ -21,11 +21,33 @@ HybridItems::HybridItems(const Context& context, SceneBuffers& scene)
 
 HybridItems::~HybridItems()
 {
-    thread_.wait();
+    let_go();
     const Current current(context_);
     certified_.reset();
     readback_.reset();
     pass_.reset();
+}
+
+void HybridItems::let_go()
+{
+    thread_.start([this] { held_.reset(); });
+    thread_.wait();
+}
+
+void HybridItems::with_context(const std::function<void()>& work)
+{
+    std::exception_ptr error;
+    thread_.start([&] {
+        try {
+            if (!held_) held_.emplace(context_);
+            work();
+        } catch (...) {
+            held_.reset();
+            error = std::current_exception();
+        }
+    });
+    thread_.wait();
+    if (error) std::rethrow_exception(error);
 }
 
 void HybridItems::set(const Settings& settings)
@@ -49,7 +71,7 @@ void HybridItems::draw()
 void HybridItems::draw_and_read()
 {
     try {
-        const Current current(context_);
+        if (!held_) held_.emplace(context_);
         draw();
         {
             const std::lock_guard lock(mutex_);
@@ -65,12 +87,12 @@ void HybridItems::draw_and_read()
         const std::lock_guard lock(mutex_);
         times_.transfer_ms += watch.lap_ms();
     } catch (...) {
+        held_.reset();
         const std::lock_guard lock(mutex_);
         error_ = std::current_exception();
         drawn_ = true;
     }
-    // After the context was let go: who sees all rows may make it current.
-    report(order_.pencil.height);
+    report(order_.pencil.height); // whatever went wrong
 }
 
 void HybridItems::report(int rows)
@@ -94,6 +116,7 @@ bool HybridItems::start(const World& world, const View& /*view*/, const Region& 
     rows_ = tile_rows_ = 0;
     error_ = nullptr;
 
+    if (multisample_ == Multisample::exact || settings_.readback == Readback::sync) let_go();
     if (multisample_ == Multisample::exact) {
         find_exact(memory, tasks);
         return true;

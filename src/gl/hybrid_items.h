@@ -12,6 +12,7 @@
 
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -38,10 +39,18 @@ struct HybridTimes {
 /// source  Robert and Schoepke 2006, section 4.1
 class HybridItems final : public ItemSource {
   public:
-    /// context  outlives this, and is current nowhere during start, wait and the destructor
+    /// context  outlives this, and is current on no other thread during start, wait and the
+    ///          destructor
     /// scene    of that context, with any Detail
     HybridItems(const Context& context, SceneBuffers& scene);
     ~HybridItems() override;
+
+    /// Makes the context current nowhere: OpenGL's thread keeps it from frame to frame, since to
+    /// change threads takes drivers a while. Before anybody else uses it.
+    void let_go();
+
+    /// Does other work of the frame there, once its items are drawn; throws what it throws.
+    void with_context(const std::function<void()>& work);
 
     /// For the frames that follow. Read are multisample, opengl.item_format, .depth_format,
     /// .readback and .readback_chunks.
@@ -90,6 +99,7 @@ class HybridItems final : public ItemSource {
     std::exception_ptr error_;
     HybridTimes times_;
 
+    std::optional<Current> held_; // by the job thread
     JobThread thread_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "gl/context.h"
 #include "gl/depth_pass.h"
+#include "gl/hybrid_items.h"
 #include "gl/map_texels.h"
 #include "gl/scene_buffers.h"
 #include "shadow/map_maker.h"
@@ -16,10 +17,13 @@ namespace firsthit::gl {
 /// source  Robert and Schoepke 2006, section 4.1
 class HybridMaps final : public MapMaker {
   public:
-    /// context  outlives this, and is current nowhere during make and the destructor
+    /// context  outlives this, and is current on no other thread during the destructor
     /// scene    of that context, with Detail::surfaces
     HybridMaps(const Context& context, const SceneBuffers& scene);
     ~HybridMaps() override;
+
+    /// Whose thread make() uses; it outlives the frames.
+    void set_items(HybridItems& items) { items_ = &items; }
 
     /// The scene has to be posed for the world: the items of the same frame are drawn first.
     /// throws  DeviceError: no memory, a map beyond the driver's limits, a lost context
@@ -28,6 +32,7 @@ class HybridMaps final : public MapMaker {
   private:
     const Context& context_;
     const SceneBuffers& scene_;
+    HybridItems* items_ = nullptr;
     std::optional<DepthPass> pass_; // while the context is there
     std::optional<MapTexels> texels_;
 };

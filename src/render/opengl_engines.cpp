@@ -44,6 +44,7 @@ void OpenGlEngines::render_hybrid(const World& world, const View& view, const Se
 void OpenGlEngines::render_gpu(const World& world, const View& view, const Settings& settings,
     Tasks& tasks, Film& film, Stats& stats)
 {
+    if (hybrid_) hybrid_->items.let_go();
     const gl::Current current(context_);
     if (!gpu_) gpu_.emplace(context_);
     if (settings.multisample == Multisample::exact) {
@@ -60,6 +61,7 @@ void OpenGlEngines::render_gpu_with(std::span<const std::uint32_t> items, const 
     const World& world, const View& view, const Settings& settings, Tasks& tasks, Film& film,
     Stats& stats)
 {
+    if (hybrid_) hybrid_->items.let_go();
     const gl::Current current(context_);
     if (!gpu_) gpu_.emplace(context_);
     if (!given_items_) given_items_.emplace();

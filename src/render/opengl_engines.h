@@ -55,6 +55,7 @@ class OpenGlEngines {
             : maps(context, scene),
               items(context, scene)
         {
+            maps.set_items(items);
         }
         gl::HybridMaps maps;
         gl::HybridItems items;
