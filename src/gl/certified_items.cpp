@@ -19,10 +19,6 @@ CertifiedItems::CertifiedItems(const Context& context)
       scatter_(link_program({"scatter.vert", "scatter.frag"}))
 {
     nothing_.create();
-    vertices_.create();
-    glEnableVertexArrayAttrib(vertices_.name(), 0);
-    glVertexArrayAttribFormat(vertices_.name(), 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vertices_.name(), 0, 0);
 }
 
 CertifiedItems::Shader CertifiedItems::make_shader(bool doubts)
@@ -66,27 +62,17 @@ void CertifiedItems::run(const Shader& shader, const SceneBuffers& scene, const 
     const double width = pencil.width, height = pencil.height;
     glUniform2f(shader.first, GLfloat(pencil.x0), GLfloat(pencil.y0));
     glUniform2f(shader.last, GLfloat(pencil.x0 + width - 1), GLfloat(pencil.y0 + height - 1));
-    // Sample i has its centre at i + 1/2 of the viewport.
-    glUniform2f(shader.scale, GLfloat(2 / width), GLfloat(2 / height));
-    glUniform2f(shader.shift, GLfloat((1 - 2 * pencil.x0) / width - 1),
-        GLfloat((1 - 2 * pencil.y0) / height - 1));
+    const SampleToClip clip = sample_to_clip(pencil);
+    glUniform2fv(shader.scale, 1, clip.scale);
+    glUniform2fv(shader.shift, 1, clip.shift);
     glUniform1f(shader.typical, 1);
-    glVertexArrayVertexBuffer(vertices_.name(), 0, scene.eye().name(), 0, sizeof(glm::vec4));
-    vertices_.set_indices(scene.index());
-    glBindVertexArray(vertices_.name());
-    glDrawElements(GL_TRIANGLES, GLsizei(3 * scene.triangles()), GL_UNSIGNED_INT, nullptr);
-    glBindVertexArray(0);
+    triangles_.draw(scene);
     glUseProgram(0);
 }
 
 void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
 {
-    if (pencil.parallel) throw ArgumentError("items are drawn for rays through an eye only");
-    if (std::max(pencil.width, pencil.height) > limits_.max_texture_size)
-        throw DeviceError(fmt::format("OpenGL: {}x{} samples are too many at once, {} on a side "
-                                      "are possible ({}, {})",
-            pencil.width, pencil.height, limits_.max_texture_size, limits_.renderer,
-            limits_.version));
+    check_pencil(pencil, limits_);
     make_targets(pencil.width, pencil.height);
     width_ = pencil.width;
     height_ = pencil.height;

@@ -18,6 +18,7 @@
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/scene_buffers.h"
+#include "gl/triangle_draw.h"
 #include "visibility/lazy_items.h"
 
 #include <cstdint>
@@ -66,7 +67,7 @@ class CertifiedItems {
 
     ContextInfo limits_;
     Shader sure_, doubt_;
-    VertexArray vertices_;
+    TriangleDraw triangles_;
     Texture2D items_, depths_, key_, uncertain_;
     Framebuffer sure_target_, doubt_target_, item_target_;
     int width_ = 0, height_ = 0; // of the pencil

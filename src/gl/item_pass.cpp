@@ -66,10 +66,6 @@ ItemPass::ItemPass(const Context& context)
       integers_(make_shader(false)),
       colors_(make_shader(true))
 {
-    vertices_.create();
-    glEnableVertexArrayAttrib(vertices_.name(), 0);
-    glVertexArrayAttribFormat(vertices_.name(), 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vertices_.name(), 0, 0);
 }
 
 ItemPass::Shader ItemPass::make_shader(bool colors)
@@ -101,12 +97,7 @@ void ItemPass::draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat 
     DepthFormat depth, const DepthRange& range)
 {
     check_triangles(format, scene.triangles());
-    if (pencil.parallel) throw ArgumentError("items are drawn for rays through an eye only");
-    if (std::max(pencil.width, pencil.height) > limits_.max_texture_size)
-        throw DeviceError(fmt::format("OpenGL: {}x{} samples are too many at once, {} on a side "
-                                      "are possible ({}, {})",
-            pencil.width, pencil.height, limits_.max_texture_size, limits_.renderer,
-            limits_.version));
+    check_pencil(pencil, limits_);
     format_ = format;
     width_ = pencil.width;
     height_ = pencil.height;
@@ -140,11 +131,9 @@ void ItemPass::draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat 
     if (scene.triangles() > 0) {
         const Shader& shader = format == ItemFormat::r32ui ? integers_ : colors_;
         shader.program.use();
-        // Sample i has its centre at i + 1/2 of the viewport.
-        const double width = pencil.width, height = pencil.height;
-        glUniform2f(shader.scale, GLfloat(2 / width), GLfloat(2 / height));
-        glUniform2f(shader.shift, GLfloat((1 - 2 * pencil.x0) / width - 1),
-            GLfloat((1 - 2 * pencil.y0) / height - 1));
+        const SampleToClip clip = sample_to_clip(pencil);
+        glUniform2fv(shader.scale, 1, clip.scale);
+        glUniform2fv(shader.shift, 1, clip.shift);
         // float32: nearest / z; fixed24: 1 at near, 0 at far.
         const double span = range.far - range.near;
         if (reversed)
@@ -152,11 +141,7 @@ void ItemPass::draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat 
         else
             glUniform2f(
                 shader.depth, GLfloat(range.near * range.far / span), GLfloat(-range.near / span));
-        glVertexArrayVertexBuffer(vertices_.name(), 0, scene.eye().name(), 0, sizeof(glm::vec4));
-        vertices_.set_indices(scene.index());
-        glBindVertexArray(vertices_.name());
-        glDrawElements(GL_TRIANGLES, GLsizei(3 * scene.triangles()), GL_UNSIGNED_INT, nullptr);
-        glBindVertexArray(0);
+        triangles_.draw(scene);
         glUseProgram(0);
     }
     glDisable(GL_SCISSOR_TEST);

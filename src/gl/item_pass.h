@@ -6,6 +6,7 @@
 #include "gl/fit_depth.h"
 #include "gl/objects.h"
 #include "gl/scene_buffers.h"
+#include "gl/triangle_draw.h"
 
 #include <firsthit/render.h>
 
@@ -69,7 +70,7 @@ class ItemPass {
 
     ContextInfo limits_;
     Shader integers_, colors_;
-    VertexArray vertices_;
+    TriangleDraw triangles_;
     Texture2D items_, depth_;
     Framebuffer framebuffer_;
     ItemFormat format_ = ItemFormat::r32ui;
