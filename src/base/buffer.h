@@ -1,6 +1,8 @@
 // buffer.h - memory that is kept from frame to frame: grows, never shrinks, starts undefined.
 #pragma once
 
+#include "base/large_pages.h"
+
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -26,6 +28,7 @@ class Buffer {
             size_ = capacity_ = 0; // in case there is no memory
             const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
+            ask_for_large_pages(data_.get(), bytes);
             capacity_ = count + spare;
         }
         size_ = count;

@@ -55,6 +55,18 @@ void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint
     }
 }
 
+/// Measured: below this many triangles a sample, sorting both costs less.
+constexpr double kManyTriangles = 1.5;
+
+/// Samples around a sample that a grid's cells may hold; eight are usual.
+constexpr double kCrowded = 128;
+
+bool wants_grid(const ShadowMemory& memory, std::size_t samples)
+{
+    if (memory.plan != ShadowPlan::automatic) return memory.plan == ShadowPlan::grid;
+    return double(memory.mesh.index.size()) > kManyTriangles * double(samples);
+}
+
 } // namespace
 
 LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
@@ -75,6 +87,7 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
     memory.shadowed.resize(chunks * points_a_chunk);
     while (int(memory.workers.size()) < threads)
         memory.workers.push_back(std::make_unique<ShadowWorker>());
+    if (int(memory.grid_counts.size()) < threads) memory.grid_counts.resize(std::size_t(threads));
     for (const auto& worker : memory.workers) {
         worker->chunk.reserve(points_a_chunk);
         worker->receivers.resize(points_a_chunk);
@@ -87,7 +100,30 @@ ShadowEffort take_effort(ShadowMemory& memory)
         memory.effort.counts.add(worker->leaf.counts);
         worker->leaf.counts = {};
     }
+    for (GridShadowCounts& worker : memory.grid_counts) {
+        memory.effort.counts.add(worker.counts);
+        worker.counts = {};
+    }
     return std::exchange(memory.effort, {});
+}
+
+/// Tests the samples of one face by the grid. Returns the number of triangles that are left, or
+/// nothing where samples crowd together more than the grid can tell apart: nothing is done then.
+std::optional<std::size_t> test_face_by_grid(const LightFace& face, const SampleBounds& bounds,
+    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+{
+    Stopwatch watch;
+    sort_into_grid(memory.samples.span(), memory.patches.span(), bounds, memory.mesh.index.size(),
+        points, memory.grid, tasks);
+    memory.effort.sort_ms += watch.lap_ms();
+    if (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded) return {};
+    see_all_vertices(face, memory.mesh, tasks);
+    place_all_vertices(memory.grid.axes, memory.mesh, tasks);
+    memory.effort.see_ms += watch.lap_ms();
+    const std::size_t left =
+        test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
+    memory.effort.test_ms += watch.lap_ms();
+    return left;
 }
 
 void test_chunks(
@@ -106,9 +142,13 @@ void test_chunks(
         }
         if (count == 0) continue;
         effort.points += count;
+        const LightFace seen_by = light_face(memory.mesh.space.directional, int(face));
+        std::optional<std::size_t> left;
+        if (wants_grid(memory, count))
+            left = test_face_by_grid(seen_by, bounds, points, memory, tasks, shadowed);
+        if (left == std::size_t(0)) continue;
         Stopwatch watch;
-        see_through_face(
-            light_face(memory.mesh.space.directional, int(face)), bounds, memory.mesh, tasks);
+        if (!left) see_through_face(seen_by, bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
         sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
             memory.irregular, tasks);

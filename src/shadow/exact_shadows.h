@@ -6,6 +6,7 @@
 #include "hits/hit_tile.h"
 #include "hits/lit_tile.h"
 #include "shadow/find_receivers.h"
+#include "visibility/grid_shadows.h"
 #include "visibility/irregular_zbuffer.h"
 #include "visibility/see_points.h"
 
@@ -34,14 +35,24 @@ struct ShadowWorker {
     LightChunk chunk;
 };
 
+/// Which way triangles meet the samples of a face.
+enum class ShadowPlan {
+    automatic, // by the numbers of both
+    grid,      // small triangles by the grid (grid_shadows.h), the others as below
+    cells,     // all sorted into patches and cells (irregular_zbuffer.h)
+};
+
 /// Kept from frame to frame.
 struct ShadowMemory {
+    ShadowPlan plan = ShadowPlan::automatic;
     LightMesh mesh;
     IrregularMemory irregular;
-    Buffer<IrregularSample> samples; // (chunks, chunk_room)
-    std::vector<FaceParts> parts;    // (chunks)
-    Buffer<SamplePatch> patches;     // (chunks) of one face
-    Buffer<std::uint8_t> shadowed;   // (points) of one light
+    SampleGrid grid;
+    std::vector<GridShadowCounts> grid_counts; // (threads)
+    Buffer<IrregularSample> samples;           // (chunks, chunk_room)
+    std::vector<FaceParts> parts;              // (chunks)
+    Buffer<SamplePatch> patches;               // (chunks) of one face
+    Buffer<std::uint8_t> shadowed;             // (points) of one light
     std::vector<std::unique_ptr<ShadowWorker>> workers;
     ShadowEffort effort; // so far; take_effort moves it away
 };

@@ -9,22 +9,6 @@
 namespace firsthit {
 namespace {
 
-/// A triangle with a corner behind the face, or with one that makes it invisible.
-bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box)
-{
-    if (face.directional || !usable(corners)) return false;
-    const Corners seen{
-        face.seen_from(corners[0]), face.seen_from(corners[1]), face.seen_from(corners[2])};
-    if (!(seen[0].z > 0) && !(seen[1].z > 0) && !(seen[2].z > 0)) return false;
-    const Interval x = project_front(seen, 0), y = project_front(seen, 1);
-    // Rounded to double and to float: the samples' bounds are within 1.
-    constexpr float kMargin = 0x1p-20f;
-    box.x0 = float(x.low) - kMargin, box.x1 = float(x.high) + kMargin;
-    box.y0 = float(y.low) - kMargin, box.y1 = float(y.high) + kMargin;
-    box.nearest_w = std::numeric_limits<float>::infinity();
-    return true;
-}
-
 /// Keeps the triangles of one range that overlap the samples' bounds.
 void see_range(std::size_t range, const SampleBounds& bounds, LightMesh& mesh)
 {
@@ -52,6 +36,21 @@ void see_range(std::size_t range, const SampleBounds& bounds, LightMesh& mesh)
 
 } // namespace
 
+bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box)
+{
+    if (face.directional || !usable(corners)) return false;
+    const Corners seen{
+        face.seen_from(corners[0]), face.seen_from(corners[1]), face.seen_from(corners[2])};
+    if (!(seen[0].z > 0) && !(seen[1].z > 0) && !(seen[2].z > 0)) return false;
+    const Interval x = project_front(seen, 0), y = project_front(seen, 1);
+    // Rounded to double and to float: the samples' bounds are within 1.
+    constexpr float kMargin = 0x1p-20f;
+    box.x0 = float(x.low) - kMargin, box.x1 = float(x.high) + kMargin;
+    box.y0 = float(y.low) - kMargin, box.y1 = float(y.high) + kMargin;
+    box.nearest_w = std::numeric_limits<float>::infinity();
+    return true;
+}
+
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks)
 {
@@ -66,13 +65,26 @@ void see_from_light(const LightSpace& space, std::span<const glm::vec3> position
     });
 }
 
-void see_through_face(
-    const LightFace& face, const SampleBounds& bounds, LightMesh& mesh, Tasks& tasks)
+void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks)
 {
     mesh.face = face;
     tasks.for_ranges(mesh.corner.size(), kLightRange, [&](std::size_t first, std::size_t last) {
         see_vertices(face, &mesh.corner[first], last - first, &mesh.seen[first]);
     });
+}
+
+void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks)
+{
+    mesh.place.resize(mesh.seen.size());
+    tasks.for_ranges(mesh.seen.size(), kLightRange, [&](std::size_t first, std::size_t last) {
+        place_vertices(axes, &mesh.seen[first], last - first, &mesh.place[first]);
+    });
+}
+
+void see_through_face(
+    const LightFace& face, const SampleBounds& bounds, LightMesh& mesh, Tasks& tasks)
+{
+    see_all_vertices(face, mesh, tasks);
     tasks.for_each(mesh.range_count.size(),
         [&](std::size_t range, std::size_t) { see_range(range, bounds, mesh); });
 }

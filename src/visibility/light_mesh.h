@@ -4,6 +4,7 @@
 #include "base/buffer.h"
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
+#include "visibility/grid_places.h"
 #include "visibility/irregular_samples.h"
 #include "visibility/light_face.h"
 
@@ -36,6 +37,7 @@ struct LightMesh {
     Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
     LightFace face;
     Buffer<SeenPoint> seen;       // (V) by the face; x is no number: behind it, or unusable
+    Buffer<GridPlace> place;      // (V) on the grid of samples, where one is used
     Buffer<SeenTriangle> in_view; // (T) room; each range of triangles fills the start of its part
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
 
@@ -49,13 +51,23 @@ struct LightMesh {
 /// Triangles of one range.
 inline constexpr std::size_t kLightRange = 8192;
 
-/// Vertices as a face sees them: x is no number for those that are behind it or unusable.
+/// Some vertices as a face sees them: x is no number for those that are behind it or unusable.
 void see_vertices(
     const LightFace& face, const glm::vec3* corner, std::size_t count, SeenPoint* seen);
 
 /// Moves all vertices into the light's space.
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);
+
+/// All vertices of the mesh as the face sees them.
+void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks);
+
+/// And their places on a grid.
+void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks);
+
+/// The box of a triangle with a corner behind the face, or with one that makes it invisible: then
+/// false.
+bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box);
 
 /// Finds the triangles that may shadow samples inside the bounds, which this face sees. No triangle
 /// is left out that does.

@@ -88,8 +88,10 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
     world.position = scene.position;
     const LightSpace space = light_space(light, glm::dvec3(0));
     const auto expected = brute(world, space, made.points, made.receivers);
-    for (const int threads : {1, 3}) {
+    for (const auto& [threads, plan] : {std::pair{1, ShadowPlan::cells}, {3, ShadowPlan::cells},
+             {1, ShadowPlan::grid}, {3, ShadowPlan::grid}}) {
         ShadowMemory memory;
+        memory.plan = plan;
         Tasks tasks(threads);
         std::vector<std::uint8_t> shadowed(made.points.size());
         PointSet set;
@@ -97,7 +99,8 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
         test_points(world, space, set, memory, tasks, shadowed);
         std::size_t wrong = 0;
         for (std::size_t k = 0; k < shadowed.size(); ++k) wrong += shadowed[k] != expected[k];
-        EXPECT_EQ(wrong, 0u) << what << ", " << threads << " threads";
+        EXPECT_EQ(wrong, 0u) << what << ", " << threads << " threads"
+                             << (plan == ShadowPlan::grid ? ", grid" : ", cells");
     }
 }
 
