@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/shade_tile.cpp"
@@ -17,6 +18,7 @@
 #include "shade/background-inl.h"
 #include "shade/block_surface-inl.h"
 #include "shade/phong_block-inl.h"
+#include "shade/sample_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -36,7 +38,6 @@ class BlockMaterials {
             }
         group_[count_++] = {material, samples};
     }
-    bool full() const { return count_ == kBlockSamples; }
 
     struct Group {
         std::uint32_t material;
@@ -50,29 +51,78 @@ class BlockMaterials {
     Group group_[kBlockSamples];
 };
 
+/// Runs of a block from which on its samples are worked out one by one (measured).
+constexpr std::size_t kManyRuns = 5;
+
+/// Works out what the block's targets need of its runs' triangles.
+HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
+    std::uint64_t reached, bool planes, SampleCorners& corners, BlockSurface& surface)
+{
+    const ShadeArrays& arrays = tile.arrays;
+    const Scene& scene = *arrays.scene;
+    const bool one_by_one = !planes && arrays.normal && runs.size() >= kManyRuns;
+    const bool with_uv = tile.targets.uv[0] != nullptr;
+    const std::uint32_t last = static_cast<std::uint32_t>(tile.world.position.size() - 1);
+    bool has_last = false; // some sample's triangle has the last of all vertices
+
+    BlockMaterials materials;
+    for (const HitRun& run : runs) {
+        const std::uint32_t material =
+            scene.materials.size() == 1 ? 0 : scene.parts[scene.owner[run.item]].material;
+        materials.add(material, run.samples);
+        const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
+        const bool seen = planes || (run.samples & reached) != 0;
+        if (one_by_one && seen) {
+            const glm::uvec3 corner = scene.index[run.item];
+            corners.set(corner, run.samples);
+            has_last |= corner.x == last || corner.y == last || corner.z == last;
+        }
+        if (!texture && !with_uv && (one_by_one || !seen)) continue;
+
+        const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
+        if (seen && !one_by_one) spread_normal(run_normal(arrays, plane), run, tile.hits, surface);
+        if (planes) spread_geometric(geometric_normal(plane), run, surface);
+        if (!texture && !with_uv) continue;
+        const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
+        RunGradients gradients;
+        if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);
+        spread_uv(uv, gradients, texture, run, tile.hits, surface);
+    }
+    for (int first = 0; one_by_one && first < kBlockSamples; first += kLanes) {
+        if (lane_bits(reached, first) == 0) continue;
+        if (has_last)
+            sample_normals<true>(arrays, tile.hits, runs[0].block, corners, first, surface);
+        else
+            sample_normals<false>(arrays, tile.hits, runs[0].block, corners, first, surface);
+    }
+    return materials;
+}
+
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
     const ShadeLights lights(world.lights);
-    const TileShade tile{hits, world, lights, lit, targets, linear_from_srgb().data()};
     const ShadeArrays arrays = shade_arrays(world);
+    const TileShade tile{hits, world, arrays, lights, lit, targets, linear_from_srgb().data()};
+    const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
+                        targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);
 
+    SampleCorners corners;
     BlockSurface surface = {};
     for (std::size_t r = 0; r < hits.runs.size();) {
-        // Runs of one block lie side by side.
-        BlockMaterials materials;
+        // Runs of one block lie side by side, at most 64.
         const std::uint32_t block = hits.runs[r].block;
-        for (; r < hits.runs.size() && hits.runs[r].block == block && !materials.full(); ++r) {
-            const HitRun& run = hits.runs[r];
-            const RunSetup setup = set_up_run(arrays, run.item, hits.frame);
-            const Texture* texture =
-                arrays.uv ? texture_of(*world.scene, world.scene->materials[setup.material])
-                          : nullptr;
-            spread_run(setup, run, hits, texture, targets.uv[0] != nullptr, surface);
-            materials.add(setup.material, run.samples);
-        }
+        std::size_t end = r + 1;
+        while (end < hits.runs.size() && end - r < kBlockSamples && hits.runs[end].block == block)
+            ++end;
+        const std::span<const HitRun> runs = hits.runs.subspan(r, end - r);
+        const std::uint64_t reached = reached_samples(tile, block);
+        const BlockMaterials materials =
+            find_surfaces(tile, runs, reached, planes, corners, surface);
         for (const BlockMaterials::Group& group : materials)
-            shade_samples(tile, block, group.material, group.samples, surface);
+            shade_samples(
+                tile, {block, runs, group.material, group.samples, reached, planes}, surface);
+        r = end;
     }
 }
 
