@@ -15,6 +15,8 @@
 #define HWY_TARGET_INCLUDE "shade/shade_tile.cpp"
 #include "base/simd.h"
 
+#include <hwy/cache_control.h>
+
 #include "shade/background-inl.h"
 #include "shade/block_surface-inl.h"
 #include "shade/phong_block-inl.h"
@@ -53,6 +55,44 @@ class BlockMaterials {
 
 /// Runs of a block from which on its samples are worked out one by one (measured).
 constexpr std::size_t kManyRuns = 5;
+
+/// Fetches what the runs to come will need into the cache, ahead of them: where arrays are larger
+/// than the caches, waiting for them is most of the time.
+class RunPrefetch {
+  public:
+    RunPrefetch(const ShadeArrays& arrays, std::span<const HitRun> runs)
+        : arrays_(arrays),
+          runs_(arrays.scene->vertices > kCachedVertices && arrays.normal
+                    ? runs
+                    : std::span<const HitRun>())
+    {
+    }
+
+    /// Of the runs after number `run`.
+    HWY_INLINE void advance(std::size_t run)
+    {
+        for (const std::size_t end = std::min(run + 2 * kAhead, runs_.size()); index_ < end;
+             ++index_)
+            hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
+        for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
+             ++corner_) {
+            const glm::uvec3 corner = arrays_.scene->index[runs_[corner_].item];
+            for (int k = 0; k < 3; ++k) {
+                hwy::Prefetch(&arrays_.position[corner[k]]);
+                hwy::Prefetch(&arrays_.normal[corner[k]]);
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t kAhead = 64;               // runs: a block of them
+    static constexpr std::size_t kCachedVertices = 1 << 15; // 24 bytes each
+
+    const ShadeArrays& arrays_;
+    std::span<const HitRun> runs_;
+    std::size_t index_ = 0;
+    std::size_t corner_ = 0;
+};
 
 /// Works out what the block's targets need of its runs' triangles.
 HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
@@ -109,6 +149,7 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
 
     SampleCorners corners;
     BlockSurface surface = {};
+    RunPrefetch prefetch(arrays, hits.runs);
     for (std::size_t r = 0; r < hits.runs.size();) {
         // Runs of one block lie side by side, at most 64.
         const std::uint32_t block = hits.runs[r].block;
@@ -116,6 +157,7 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
         while (end < hits.runs.size() && end - r < kBlockSamples && hits.runs[end].block == block)
             ++end;
         const std::span<const HitRun> runs = hits.runs.subspan(r, end - r);
+        prefetch.advance(end);
         const std::uint64_t reached = reached_samples(tile, block);
         const BlockMaterials materials =
             find_surfaces(tile, runs, reached, planes, corners, surface);
