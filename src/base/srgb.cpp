@@ -8,7 +8,7 @@ namespace firsthit {
 
 const std::array<float, 256>& linear_from_srgb()
 {
-    alignas(64) static const std::array<float, 256> table = [] {
+    static const std::array<float, 256> table = [] {
         std::array<float, 256> linear{};
         for (std::size_t code = 0; code < linear.size(); ++code) {
             const double s = static_cast<double>(code) / 255;

@@ -11,7 +11,7 @@
 
 namespace firsthit {
 
-/// Linear light, 0 to 1, of each code. Aligned to 64 bytes.
+/// Linear light, 0 to 1, of each code.
 const std::array<float, 256>& linear_from_srgb();
 
 /// What is displayed, 0 to 1, of a linear value clamped to [0, 1]; no number gives 0.

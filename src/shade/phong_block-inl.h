@@ -24,7 +24,7 @@ struct TileShade {
     const ShadeLights& lights;
     const LitTile& lit;
     const ShadeTargets& targets;
-    const float* linear; // light of the 256 sRGB codes
+    const ByteTable& linear; // light of the 256 sRGB codes
 };
 
 /// The samples of one register.

@@ -15,13 +15,20 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Linear colour of RGBA texels.
-FIRSTHIT_PURE real3 texel_color(integer rgba, const float* linear)
+/// Linear colours of RGBA texels, blended: `right` of the right ones.
+FIRSTHIT_PURE real3 blend_texels(
+    integer at_left, integer at_right, real right, const ByteTable& linear)
 {
-    const integer green(hn::ShiftRight<8>(rgba.lanes));
-    const integer blue(hn::ShiftRight<16>(rgba.lanes));
-    return real3(look_up_byte(linear, rgba & 255), look_up_byte(linear, green & 255),
-        look_up_byte(linear, blue & 255));
+    const auto green_of = [](integer texel) {
+        return integer(hn::ShiftRight<8>(texel.lanes)) & 0xFF;
+    };
+    const TwoReals red_blue_left = look_up_two_bytes(linear, at_left & 0xFF00FF);
+    const TwoReals red_blue_right = look_up_two_bytes(linear, at_right & 0xFF00FF);
+    const TwoReals green = look_up_two_bytes(linear,
+        integer(hn::Or(green_of(at_left).lanes, hn::ShiftLeft<16>(green_of(at_right).lanes))));
+    return real3(blend(red_blue_left.first, red_blue_right.first, right),
+        blend(green.first, green.second, right),
+        blend(red_blue_left.second, red_blue_right.second, right));
 }
 
 /// texel[left] and texel[right].
@@ -61,7 +68,7 @@ inline bool can_sample(const Texture::Level& level)
 }
 
 /// Bilinear colour in one level; white where the level cannot be sampled.
-HWY_INLINE real3 sample_level(const Texture::Level& level, real u, real v, const float* linear)
+HWY_INLINE real3 sample_level(const Texture::Level& level, real u, real v, const ByteTable& linear)
 {
     if (!can_sample(level)) return real3(1.0f, 1.0f, 1.0f);
     const Texels at =
@@ -70,7 +77,7 @@ HWY_INLINE real3 sample_level(const Texture::Level& level, real u, real v, const
     const auto row = [&](integer left, integer right) {
         integer at_left, at_right;
         fetch_pair(texel, left, right, at_left, at_right);
-        return blend3(texel_color(at_left, linear), texel_color(at_right, linear), at.right);
+        return blend_texels(at_left, at_right, at.right, linear);
     };
     const real3 top = row(at.top_left, at.top_right);
     const real3 bottom = row(at.bottom_left, at.bottom_right);
@@ -90,7 +97,7 @@ FIRSTHIT_PURE real3 select3(truth choose_a, real3 a, real3 b)
 ///
 /// source  Williams 1983, "Pyramidal parametrics"
 HWY_INLINE real3 sample_texture(const Texture& texture, real u, real v, real length2,
-    std::uint64_t chosen_bits, const float* linear)
+    std::uint64_t chosen_bits, const ByteTable& linear)
 {
     const int last = static_cast<int>(texture.levels.size()) - 1;
     const real level = mip_level(length2, static_cast<float>(last));

@@ -140,9 +140,10 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
 
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
+    static const ByteTable linear(linear_from_srgb());
     const ShadeLights lights(world.lights);
     const ShadeArrays arrays = shade_arrays(world);
-    const TileShade tile{hits, world, arrays, lights, lit, targets, linear_from_srgb().data()};
+    const TileShade tile{hits, world, arrays, lights, lit, targets, linear};
     const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
                         targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);
