@@ -9,6 +9,7 @@
 #include "base/byte_table-inl.h"
 #include "shade/block_surface-inl.h"
 
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -31,14 +32,26 @@ FIRSTHIT_PURE real3 blend_texels(
         blend(red_blue_left.second, red_blue_right.second, right));
 }
 
-/// texel[left] and texel[right].
-HWY_INLINE void fetch_pair(
-    const std::uint32_t* texel, integer left, integer right, integer& at_left, integer& at_right)
+/// Whether in all lanes the right texels lie beside the left ones, and so can be fetched in pairs.
+FIRSTHIT_PURE bool in_pairs(const Texels& at)
 {
 #if HWY_TARGET == HWY_AVX3
-    // Mostly they are neighbours, but where the texture begins anew. An element of a gather takes
-    // the same time with 32 bits and with 64.
-    if (hn::AllTrue(IntegerTag(), hn::Eq(right.lanes, (left + integer(1)).lanes))) {
+    // Not where the texture begins anew.
+    return hn::AllTrue(IntegerTag(), hn::Eq(at.top_right.lanes, (at.top_left + integer(1)).lanes));
+#else
+    (void)at;
+    return false;
+#endif
+}
+
+/// texel[left] and texel[right].
+FIRSTHIT_PURE void fetch_texels(const std::uint32_t* texel, integer left, integer right, bool pairs,
+    integer& at_left, integer& at_right)
+{
+    (void)pairs;
+#if HWY_TARGET == HWY_AVX3
+    // An element of a gather takes the same time with 32 bits and with 64.
+    if (pairs) {
         const hn::Half<IntegerTag> half;
         const hn::ScalableTag<std::int64_t> wide;
         const auto fetch = [&](auto index) {
@@ -74,9 +87,10 @@ HWY_INLINE real3 sample_level(const Texture::Level& level, real u, real v, const
     const Texels at =
         bilinear_texels(u, v, static_cast<float>(level.width), static_cast<float>(level.height));
     const std::uint32_t* texel = level.texel.data();
+    const bool pairs = in_pairs(at);
     const auto row = [&](integer left, integer right) {
         integer at_left, at_right;
-        fetch_pair(texel, left, right, at_left, at_right);
+        fetch_texels(texel, left, right, pairs, at_left, at_right);
         return blend_texels(at_left, at_right, at.right, linear);
     };
     const real3 top = row(at.top_left, at.top_right);
