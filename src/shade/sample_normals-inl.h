@@ -18,12 +18,18 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The corners of each sample's triangle, in a block. Samples without one have those of another.
+/// The corners of each sample's triangle, in a block. Samples that have none keep what they had in
+/// the blocks before.
 struct SampleCorners {
+    std::uint32_t last;    // of all vertices
+    bool has_last = false; // it was set in some block
     alignas(64) std::uint32_t vertex[3][kBlockSamples] = {};
+
+    explicit SampleCorners(std::size_t vertices) : last(static_cast<std::uint32_t>(vertices - 1)) {}
 
     HWY_INLINE void set(const glm::uvec3& corner, std::uint64_t samples)
     {
+        has_last |= corner.x == last || corner.y == last || corner.z == last;
         for (; samples != 0; samples &= samples - 1) {
             const int k = std::countr_zero(samples);
             vertex[0][k] = corner.x;

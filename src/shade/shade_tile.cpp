@@ -102,8 +102,6 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
     const Scene& scene = *arrays.scene;
     const bool one_by_one = !planes && arrays.normal && runs.size() >= kManyRuns;
     const bool with_uv = tile.targets.uv[0] != nullptr;
-    const std::uint32_t last = static_cast<std::uint32_t>(tile.world.position.size() - 1);
-    bool has_last = false; // some sample's triangle has the last of all vertices
 
     BlockMaterials materials;
     for (const HitRun& run : runs) {
@@ -112,11 +110,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         materials.add(material, run.samples);
         const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         const bool seen = planes || (run.samples & reached) != 0;
-        if (one_by_one && seen) {
-            const glm::uvec3 corner = scene.index[run.item];
-            corners.set(corner, run.samples);
-            has_last |= corner.x == last || corner.y == last || corner.z == last;
-        }
+        if (one_by_one && seen) corners.set(scene.index[run.item], run.samples);
         if (!texture && !with_uv && (one_by_one || !seen)) continue;
 
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
@@ -130,7 +124,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
     }
     for (int first = 0; one_by_one && first < kBlockSamples; first += kLanes) {
         if (lane_bits(reached, first) == 0) continue;
-        if (has_last)
+        if (corners.has_last)
             sample_normals<true>(arrays, tile.hits, runs[0].block, corners, first, surface);
         else
             sample_normals<false>(arrays, tile.hits, runs[0].block, corners, first, surface);
@@ -148,7 +142,7 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
                         targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);
 
-    SampleCorners corners;
+    SampleCorners corners(world.position.size());
     BlockSurface surface = {};
     RunPrefetch prefetch(arrays, hits.runs);
     for (std::size_t r = 0; r < hits.runs.size();) {
