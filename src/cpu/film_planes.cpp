@@ -30,15 +30,15 @@ void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
     }
 }
 
-template <std::size_t kChannels, class T>
-void copy_plane(const PixelRect& rect, int film_width, int tile_size,
-    const std::array<const T*, kChannels>& from, T* to)
+/// Films that do not fit into a core's share of the caches go past them.
+constexpr std::size_t kCachedBytes = std::size_t(4) << 20;
+
+void copy_plane(const PixelRect& rect, const Film& film, int tile_size,
+    std::span<const float* const> from, float* to)
 {
-    for_quads(rect, film_width, tile_size, [&](std::size_t pixel, int offset, auto count) {
-        for (std::size_t k = 0; k < std::size_t(count); ++k)
-            for (std::size_t c = 0; c < kChannels; ++c)
-                to[(pixel + k) * kChannels + c] = from[c][std::size_t(offset) + k];
-    });
+    const std::size_t bytes =
+        std::size_t(film.width) * std::size_t(film.height) * from.size() * sizeof(float);
+    copy_rows(rect, film.width, tile_size, from, to, bytes > kCachedBytes);
 }
 
 bool is_hole(const TilePlace& place, int offset)
@@ -140,16 +140,21 @@ void store_lit(
 /// Planes that come from the hit itself.
 void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
 {
-    const int width = film.width, size = hits.size;
-    if (!film.item.empty())
-        copy_plane<1, std::uint32_t>(rect, width, size, {hits.item}, film.item.data());
-    if (!film[Aov::depth].empty())
-        copy_plane<1, float>(rect, width, size, {hits.t}, film[Aov::depth].value.data());
-    if (!film[Aov::barycentric].empty())
-        copy_plane<2, float>(
-            rect, width, size, {hits.u, hits.v}, film[Aov::barycentric].value.data());
+    if (!film.item.empty()) {
+        static_assert(sizeof(std::uint32_t) == sizeof(float));
+        const float* const item[] = {reinterpret_cast<const float*>(hits.item)};
+        copy_plane(rect, film, hits.size, item, reinterpret_cast<float*>(film.item.data()));
+    }
+    if (!film[Aov::depth].empty()) {
+        const float* const t[] = {hits.t};
+        copy_plane(rect, film, hits.size, t, film[Aov::depth].value.data());
+    }
+    if (!film[Aov::barycentric].empty()) {
+        const float* const weight[] = {hits.u, hits.v};
+        copy_plane(rect, film, hits.size, weight, film[Aov::barycentric].value.data());
+    }
     if (!film[Aov::distance].empty())
-        store_distance(rect, hits, width, film[Aov::distance].value.data());
+        store_distance(rect, hits, film.width, film[Aov::distance].value.data());
 }
 
 } // namespace
@@ -187,17 +192,11 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     const ShadeTargets& shaded, Film& film)
 {
     const PixelRect rect = pixels_of(place);
-    const auto copy2 = [&](const float* const* from, Plane& to) {
-        if (from[0])
-            copy_plane<2, float>(rect, film.width, hits.size, {from[0], from[1]}, to.value.data());
-    };
-    const auto copy3 = [&](const float* const* from, Plane& to) {
-        if (from[0])
-            copy_plane<3, float>(
-                rect, film.width, hits.size, {from[0], from[1], from[2]}, to.value.data());
+    const auto copy_shaded = [&](std::span<const float* const> from, Plane& to) {
+        if (from[0]) copy_plane(rect, film, hits.size, from, to.value.data());
     };
     if (place.samples == 1) {
-        copy3(shaded.color, film.color);
+        copy_shaded(shaded.color, film.color);
         store_hits(rect, hits, film);
         if (!film[Aov::lit].empty()) store_lit(rect, hits, lit, film.width, film[Aov::lit]);
     } else if (shaded.color[0]) {
@@ -205,11 +204,11 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
         average_color(rect, place, color, film);
         if (has_holes(place)) average_without_holes(rect, place, color, film);
     }
-    copy2(shaded.uv, film[Aov::uv]);
-    copy3(shaded.normal, film[Aov::normal]);
-    copy3(shaded.geometric_normal, film[Aov::geometric_normal]);
-    copy3(shaded.position, film[Aov::position]);
-    copy3(shaded.albedo, film[Aov::albedo]);
+    copy_shaded(shaded.uv, film[Aov::uv]);
+    copy_shaded(shaded.normal, film[Aov::normal]);
+    copy_shaded(shaded.geometric_normal, film[Aov::geometric_normal]);
+    copy_shaded(shaded.position, film[Aov::position]);
+    copy_shaded(shaded.albedo, film[Aov::albedo]);
 }
 
 void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask)

@@ -1,6 +1,7 @@
 // film_planes.h - from tiles of samples to the planes of the film.
 #pragma once
 
+#include "cpu/copy_rows.h"
 #include "cpu/frame.h"
 
 namespace firsthit {
@@ -17,10 +18,6 @@ struct TilePlace {
 };
 
 /// The tile's pixels inside the picture.
-struct PixelRect {
-    int film_x, film_y; // of the first pixel, in the film
-    int width, height;  // pixels
-};
 PixelRect pixels_of(const TilePlace& place);
 
 /// Points the targets that are asked for at memory for one tile, the others at null.

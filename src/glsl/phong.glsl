@@ -9,19 +9,30 @@ FIRSTHIT_PURE real3 unit(real3 d)
     return d * mix(real(0.0f), 1.0f / sqrt(length2), length2 > real(0.0f));
 }
 
-/// The unit shading normal: the interpolated normal n, bent just so far that the eye sees it.
+/// The interpolated normal n, bent just so far that the eye sees it; not unit.
+FIRSTHIT_PURE real3 bend_to_eye(real3 n, real3 to_eye)
+{
+    return n - to_eye * min(dot(n, to_eye), 0.0f);
+}
+
+/// Whether a bent normal is one: below a millionth of a unit normal only rounding is left of its
+/// direction.
+FIRSTHIT_PURE truth has_direction(real3 bent)
+{
+    return dot(bent, bent) > real(1.0e-12f);
+}
+
+/// The unit shading normal.
 ///
 /// n         on the eye's side of the triangle's plane (its side was chosen with the plane's)
 /// geometric the plane's unit normal, towards the eye; the answer where n is 0 or points away
 FIRSTHIT_PURE real3 visible_normal(real3 n, real3 geometric, real3 to_eye)
 {
-    real3 bent = n - to_eye * min(dot(n, to_eye), 0.0f);
-    real length2 = dot(bent, bent);
-    real inv = 1.0f / sqrt(max(length2, 1.0e-12f));
-    // Below a millionth of a unit normal only rounding is left of the direction.
-    return real3(mix(geometric.x, bent.x * inv, length2 > real(1.0e-12f)),
-        mix(geometric.y, bent.y * inv, length2 > real(1.0e-12f)),
-        mix(geometric.z, bent.z * inv, length2 > real(1.0e-12f)));
+    real3 bent = bend_to_eye(n, to_eye);
+    real inv = 1.0f / sqrt(max(dot(bent, bent), 1.0e-12f));
+    return real3(mix(geometric.x, bent.x * inv, has_direction(bent)),
+        mix(geometric.y, bent.y * inv, has_direction(bent)),
+        mix(geometric.z, bent.z * inv, has_direction(bent)));
 }
 
 /// N.L, or 0 where the light is behind the shading normal. The triangle's plane has no say: whether

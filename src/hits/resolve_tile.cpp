@@ -1,12 +1,16 @@
 // resolve_tile.cpp - where exactly does each sample's ray hit its item?
 //
-// Neighbouring samples mostly see the same triangle: a triangle is fetched and set up once for each
-// block that it is seen in, and then meets only the registers of its samples.
+// Neighbouring samples mostly see the same triangle: it is fetched and set up once for each
+// block that it is seen in, and then meets only the registers of its samples. In blocks with many
+// triangles each sample sets up its own.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hits/resolve_tile.cpp"
 #include "base/simd.h"
 
+#include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
+#include "hits/lane_hits-inl.h"
+#include "hits/resolve_samples-inl.h"
 #include "hits/resolve_tile.h"
 #include "visibility/set_up-inl.h"
 
@@ -14,7 +18,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -22,25 +25,39 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Doubles = hn::CappedTag<double, 8>;
-using Floats = hn::Rebind<float, Doubles>;
-
 constexpr int kRuns = 64; // set up together
 
-/// Planes of a batch of runs' triangles, structure of arrays.
+/// Runs of a block from which on its samples are set up one by one (measured).
+constexpr std::size_t kManyRuns = 5;
+
+/// A batch of runs and the planes of their triangles, structure of arrays.
 struct RunBatch {
+    int count = 0;
+    HitRun* run[kRuns];
     alignas(64) float corner[9][kRuns];
-    alignas(64) double n[3][kRuns];     // det = n . d
-    alignas(64) double edge1[3][kRuns]; // u = edge1 . d / det
+    alignas(64) double n[3][kRuns]; // see LanePlanes
+    alignas(64) double edge1[3][kRuns];
     alignas(64) double edge2[3][kRuns];
-    alignas(64) double volume[kRuns]; // t = volume / det
+    alignas(64) double volume[kRuns];
     alignas(64) double volume_size[kRuns];
 
-    Corners corners(std::size_t i) const
+    Corners corners(int i) const
     {
         return {glm::vec3(corner[0][i], corner[1][i], corner[2][i]),
             glm::vec3(corner[3][i], corner[4][i], corner[5][i]),
             glm::vec3(corner[6][i], corner[7][i], corner[8][i])};
+    }
+
+    LanePlanes planes(int i) const
+    {
+        const Doubles d;
+        const Floats f;
+        const auto same = [&](const double(&v)[3][kRuns]) {
+            return Vector3<DoubleLanes>{
+                hn::Set(d, v[0][i]), hn::Set(d, v[1][i]), hn::Set(d, v[2][i])};
+        };
+        return lane_planes(same(n), same(edge1), same(edge2), hn::Set(d, volume[i]),
+            hn::Set(f, corner[2][i]), hn::Set(f, corner[5][i]), hn::Set(f, corner[8][i]));
     }
 };
 
@@ -52,29 +69,46 @@ void fill_misses(int block, const HitPlaces& places)
     std::fill_n(places.v + first, kBlockSamples, 0.0f);
 }
 
+/// Appends the runs of a block, in the order of their first samples.
+HWY_INLINE HitRun* find_block_runs(
+    const std::uint32_t* item, int block, std::uint64_t rest, HitRun* next)
+{
+    // One after the other: each takes its samples away from those to look at. That is a chain of
+    // some 25 cycles a run.
+    for (int few = 0; few < 8; ++few) {
+        if (rest == 0) return next;
+        const std::uint32_t id = item[std::countr_zero(rest)];
+        const std::uint64_t samples = samples_with(item, id);
+        *next++ = {id, std::uint16_t(block), 0, samples};
+        rest &= ~samples;
+    }
+    // There are many: all samples side by side, and the first of each run writes it.
+    for (; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
+        const std::uint64_t samples = samples_with(item, item[k]);
+        *next = {item[k], std::uint16_t(block), 0, samples};
+        next += std::countr_zero(samples) == k;
+    }
+    return next;
+}
+
 /// Finds the runs of all blocks, and marks the samples that are in none. Returns how many.
 std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
 {
-    HitRun* runs = places.run;
-    HitRun* next = runs;
+    HitRun* next = places.run;
     for (int block = 0; block < items.blocks(); ++block) {
         const std::uint32_t* item = items.item.data() + block * kBlockSamples;
-        std::uint64_t rest = ~samples_with(item, kNoItem);
-        if (~rest) fill_misses(block, places);
-        while (rest) {
-            const std::uint32_t id = item[std::countr_zero(rest)];
-            const std::uint64_t samples = samples_with(item, id);
-            *next++ = {id, std::uint16_t(block), 0, samples};
-            rest &= ~samples;
-        }
+        const std::uint64_t covered = ~samples_with(item, kNoItem);
+        if (~covered) fill_misses(block, places);
+        next = find_block_runs(item, block, covered, next);
     }
-    return std::size_t(next - runs);
+    return std::size_t(next - places.run);
 }
 
-void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch& batch)
+void set_up_runs(const ViewMemory& view, RunBatch& batch)
 {
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const glm::uvec3 index = view.index[runs[i].item];
+    for (int i = 0; i < batch.count; ++i) {
+        const glm::uvec3 index = view.index[batch.run[i]->item];
         for (int k = 0; k < 3; ++k) {
             const glm::vec4& p = view.corner[index[k]];
             batch.corner[3 * k][i] = p.x;
@@ -84,8 +118,8 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
     }
     const Doubles d;
     const Floats f;
-    using V = hn::Vec<Doubles>;
-    for (std::size_t i = 0; i < runs.size(); i += hn::Lanes(d)) {
+    using V = DoubleLanes;
+    for (int i = 0; i < batch.count; i += kHitLanes) {
         const auto load = [&](int axis) {
             return hn::PromoteTo(d, hn::Load(f, batch.corner[axis] + i));
         };
@@ -105,107 +139,48 @@ void set_up_runs(const ViewMemory& view, std::span<const HitRun> runs, RunBatch&
     }
 }
 
-/// Samples whose double depth lies outside the triangle's: its determinant lost too many digits.
-HWY_NOINLINE void repair_hits(const Corners& corners, const ItemTile& items, int offset,
-    std::uint64_t samples, const float* x, const float* y, const HitPlaces& places)
+/// Hits of the batch's runs, and their sides; the batch is empty then.
+void resolve_batch(
+    const ViewMemory& view, const ItemTile& items, RunBatch& batch, const HitPlaces& places)
 {
-    for (; samples; samples &= samples - 1) {
-        const int lane = std::countr_zero(samples);
-        const glm::vec3 d{items.x0 + x[lane], items.y0 + y[lane], 1.0f};
-        const auto [u, v] = exact_barycentrics(corners, d);
-        const auto at = std::size_t(offset + lane);
-        places.t[at] = float(1 / exact_inverse_depth(corners, d));
-        places.u[at] = float(std::clamp(u, 0.0, 1.0));
-        places.v[at] = float(std::clamp(v, 0.0, 1.0));
-    }
-}
-
-void resolve_run(const RunBatch& batch, std::size_t i, const HitRun& run, const ItemTile& items,
-    const float* sample_x, const float* sample_y, const HitPlaces& places)
-{
-    const Doubles d;
-    const Floats f;
-    const int lanes = int(hn::Lanes(d));
-    const int block_x = int(run.block) % items.blocks_x() * kBlock;
-    const int block_y = int(run.block) / items.blocks_x() * kBlock;
-    const auto x0 = hn::Set(d, double(items.x0) + block_x),
-               y0 = hn::Set(d, double(items.y0) + block_y);
-    const auto plane = [&](const double(&n)[3][kRuns], auto x, auto y) {
-        return hn::Add(hn::Add(hn::Mul(hn::Set(d, n[0][i]), x), hn::Mul(hn::Set(d, n[1][i]), y)),
-            hn::Set(d, n[2][i]));
-    };
-    const float z[3] = {batch.corner[2][i], batch.corner[5][i], batch.corner[8][i]};
-    const auto nearest = hn::Set(f, std::min({z[0], z[1], z[2]}) * (1 - 0x1p-20f));
-    const auto farthest = hn::Set(f, std::max({z[0], z[1], z[2]}) * (1 + 0x1p-20f));
-    const auto zero = hn::Zero(f), one = hn::Set(f, 1.0f);
-
-    const std::uint64_t all = (std::uint64_t(1) << lanes) - 1;
-    for (std::uint64_t rest = run.samples; rest;) {
-        const int k = std::countr_zero(rest) / lanes * lanes; // first sample of a register
-        const std::uint64_t samples = rest >> k & all;
-        rest &= ~(all << k);
-        std::uint8_t bytes[8];
-        std::memcpy(bytes, &samples, 8);
-        const auto mask = hn::LoadMaskBits(f, bytes);
-        const auto x = hn::Add(x0, hn::PromoteTo(d, hn::Load(f, sample_x + k)));
-        const auto y = hn::Add(y0, hn::PromoteTo(d, hn::Load(f, sample_y + k)));
-        const auto inverse = hn::Div(hn::Set(d, 1.0), plane(batch.n, x, y));
-        const auto t = hn::DemoteTo(f, hn::Mul(hn::Set(d, batch.volume[i]), inverse));
-        const auto u = hn::DemoteTo(f, hn::Mul(plane(batch.edge1, x, y), inverse));
-        const auto v = hn::DemoteTo(f, hn::Mul(plane(batch.edge2, x, y), inverse));
-        const int offset = int(run.block) * kBlockSamples + k;
-        const auto keep = [&](auto value, float* to) {
-            float* at = to + offset;
-            hn::Store(hn::IfThenElse(mask, value, hn::Load(f, at)), f, at);
-        };
-        const auto weight = [&](auto w) { return hn::Min(hn::Max(w, zero), one); };
-        keep(t, places.t);
-        keep(weight(u), places.u);
-        keep(weight(v), places.v);
-        const auto plausible = hn::And(hn::Ge(t, nearest), hn::Le(t, farthest));
-        if (!hn::AllTrue(f, hn::Or(plausible, hn::Not(mask)))) [[unlikely]] {
-            const std::uint64_t suspect = bits_of(f, hn::AndNot(plausible, mask));
-            float x_in_tile[8], y_in_tile[8];
-            for (int lane = 0; lane < lanes; ++lane) {
-                x_in_tile[lane] = float(block_x) + sample_x[k + lane];
-                y_in_tile[lane] = float(block_y) + sample_y[k + lane];
-            }
-            repair_hits(batch.corners(i), items, offset, suspect, x_in_tile, y_in_tile, places);
+    set_up_runs(view, batch);
+    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
+    for (int i = 0; i < batch.count; ++i) {
+        HitRun& run = *batch.run[i];
+        run.eye_side =
+            side_of(batch.volume[i], batch.volume_size[i], [&] { return batch.corners(i); });
+        const BlockOfRays rays(items, run.block);
+        const LanePlanes planes = batch.planes(i);
+        std::uint64_t suspect = 0;
+        for (int first = 0; first < kBlockSamples; first += kHitLanes) {
+            const std::uint64_t samples = run.samples >> first & kAll;
+            if (samples != 0) suspect |= meet(planes, rays, first, samples, places) << first;
         }
+        for (; suspect; suspect &= suspect - 1) // seldom
+            repair_hit(batch.corners(i), rays, std::countr_zero(suspect), places);
     }
-}
-
-/// On which side of its plane each run's triangle has the eye.
-void find_sides(const RunBatch& batch, std::span<HitRun> runs)
-{
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double volume = batch.volume[i];
-        int side = volume > 0 ? 1 : -1;
-        if (std::abs(volume) <= 8 * kUlp * batch.volume_size[i]) [[unlikely]] {
-            Effort effort;
-            side = volume_sign(batch.corners(i), effort);
-        }
-        runs[i].eye_side = std::int16_t(side);
-    }
+    batch.count = 0;
 }
 
 std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
 {
-    alignas(64) float sample_x[kBlockSamples], sample_y[kBlockSamples];
-    for (int k = 0; k < kBlockSamples; ++k) {
-        sample_x[k] = float(block_x(k));
-        sample_y[k] = float(block_y(k));
-    }
     const std::size_t count = find_runs(items, places);
-    RunBatch batch{};
-    for (std::size_t first = 0; first < count; first += kRuns) {
-        const std::span<HitRun> runs(
-            places.run + first, std::min<std::size_t>(kRuns, count - first));
-        set_up_runs(view, runs, batch);
-        find_sides(batch, runs);
-        for (std::size_t i = 0; i < runs.size(); ++i)
-            resolve_run(batch, i, runs[i], items, sample_x, sample_y, places);
+    RunBatch batch;
+    for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
+    for (std::size_t first = 0, end; first < count; first = end) {
+        for (end = first + 1; end < count && places.run[end].block == places.run[first].block;)
+            ++end;
+        const std::span<HitRun> runs(places.run + first, end - first);
+        if (runs.size() >= kManyRuns) {
+            resolve_samples(view, items, runs, places);
+            continue;
+        }
+        for (HitRun& run : runs) {
+            batch.run[batch.count++] = &run;
+            if (batch.count == kRuns) resolve_batch(view, items, batch, places);
+        }
     }
+    resolve_batch(view, items, batch, places);
     return count;
 }
 

@@ -20,19 +20,12 @@ namespace HWY_NAMESPACE {
 struct TileShade {
     const HitTile& hits;
     const World& world;
+    const ShadeArrays& arrays;
     const ShadeLights& lights;
     const LitTile& lit;
     const ShadeTargets& targets;
-    const float* linear; // light of the 256 sRGB codes
+    const ByteTable& linear; // light of the 256 sRGB codes
 };
-
-FIRSTHIT_PURE void store3_where(truth chosen, real3 a, float* const (&plane)[3], std::size_t at)
-{
-    if (!plane[0]) return;
-    store_where(chosen, a.x, plane[0] + at);
-    store_where(chosen, a.y, plane[1] + at);
-    store_where(chosen, a.z, plane[2] + at);
-}
 
 /// The samples of one register.
 struct ShadedPoints {
@@ -89,53 +82,101 @@ HWY_INLINE real3 phong(
     return color;
 }
 
-/// Writes all targets for the given samples of a block, which share a material.
-HWY_INLINE void shade_samples(const TileShade& tile, std::uint32_t block, std::uint32_t material_id,
-    std::uint64_t samples, const BlockSurface& surface)
+/// The samples of a block that some light may reach.
+HWY_INLINE std::uint64_t reached_samples(const TileShade& tile, std::uint32_t block)
+{
+    if (tile.lights.size() == 0) return 0;
+    if (!tile.lit.lit) return ~std::uint64_t(0);
+    std::uint64_t reached = 0;
+    for (std::size_t l = 0; l < tile.lights.size(); ++l) {
+        const float* share = tile.lit.of_light(l) + std::size_t(block) * kBlockSamples;
+        for (int first = 0; first < kBlockSamples; first += kLanes)
+            reached |= bits_of_truth(load(share + first) > real(0.0f)) << first;
+    }
+    return reached;
+}
+
+/// Writes the geometric normals of all runs of a block.
+HWY_NOINLINE void find_geometric(
+    const TileShade& tile, std::span<const HitRun> runs, BlockSurface& surface)
+{
+    for (const HitRun& run : runs)
+        spread_geometric(
+            geometric_normal(run_plane(tile.arrays, run.item, tile.hits.frame)), run, surface);
+}
+
+/// Samples of a block that share a material.
+struct ShadeGroup {
+    std::uint32_t block;
+    std::span<const HitRun> runs; // of the block
+    std::uint32_t material;
+    std::uint64_t samples;
+    std::uint64_t reached; // of the block, by some light; the surface has their normals
+    bool planes;           // all targets are written, and the surface is complete
+};
+
+/// Writes all targets for the group's samples.
+HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, BlockSurface& surface)
 {
     const ShadeTargets& targets = tile.targets;
     const Scene& scene = *tile.world.scene;
-    const Material& material = scene.materials[material_id];
-    const Texture* texture = scene.uv.empty() ? nullptr : texture_of(scene, material);
-    const BlockRays rays = block_rays(tile.hits, block);
+    const Material& material = scene.materials[group.material];
+    const Texture* texture = tile.arrays.uv ? texture_of(scene, material) : nullptr;
+    const BlockRays rays = block_rays(tile.hits, group.block);
+    bool has_geometric = group.planes;
 
     for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const std::uint64_t bits = lane_bits(samples, first);
+        const std::uint64_t bits = lane_bits(group.samples, first);
         if (bits == 0) continue;
         const truth chosen = truth_of_bits(bits);
-        const std::size_t at = std::size_t(block) * kBlockSamples + std::size_t(first);
-
-        const real3 direction = ray_direction(rays, first);
-        const real3 position = hit_position(rays.eye, direction, load(tile.hits.t + at));
-        store3_where(chosen, position, targets.position, at);
-
-        const real3 geometric(load(surface.geometric[0] + first),
-            load(surface.geometric[1] + first), load(surface.geometric[2] + first));
-        store3_where(chosen, geometric, targets.geometric_normal, at);
-
-        const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
-        const real3 interpolated(load(surface.normal[0] + first), load(surface.normal[1] + first),
-            load(surface.normal[2] + first));
-        const real3 normal = visible_normal(interpolated, geometric, to_eye);
-        store3_where(chosen, normal, targets.normal, at);
+        const bool all = bits == lane_bits(~std::uint64_t(0), 0);
+        const std::size_t at = std::size_t(group.block) * kBlockSamples + std::size_t(first);
+        const auto write = [&](const real3& value, float* const(&plane)[3]) {
+            if (!plane[0]) return;
+            store_where(chosen, all, value.x, plane[0] + at);
+            store_where(chosen, all, value.y, plane[1] + at);
+            store_where(chosen, all, value.z, plane[2] + at);
+        };
 
         const real u = load(surface.uv[0] + first);
         const real v = load(surface.uv[1] + first);
-        if (targets.uv[0]) {
-            store_where(chosen, u, targets.uv[0] + at);
-            store_where(chosen, v, targets.uv[1] + at);
-        }
-
-        if (!targets.color[0] && !targets.albedo[0]) continue;
         real3 texture_color(1.0f, 1.0f, 1.0f);
-        if (texture)
+        if (texture && (targets.color[0] || targets.albedo[0]))
             texture_color =
                 sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
-        store3_where(chosen, from_glm(material.diffuse) * texture_color, targets.albedo, at);
+        if (!group.planes && (bits & lane_bits(group.reached, first)) == 0) {
+            write(from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
+            continue;
+        }
+
+        const real3 direction = ray_direction(rays, first);
+        const real3 position = hit_position(rays.eye, direction, load(tile.hits.t + at));
+        const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
+        const real3 interpolated(load(surface.normal[0] + first), load(surface.normal[1] + first),
+            load(surface.normal[2] + first));
+        if (!has_geometric &&
+            (bits & lane_bits(group.reached, first) &
+                ~bits_of_truth(has_direction(bend_to_eye(interpolated, to_eye))))) {
+            find_geometric(tile, group.runs, surface);
+            has_geometric = true;
+        }
+        const real3 geometric(load(surface.geometric[0] + first),
+            load(surface.geometric[1] + first), load(surface.geometric[2] + first));
+        const real3 normal = visible_normal(interpolated, geometric, to_eye);
+
+        if (group.planes) {
+            write(position, targets.position);
+            write(geometric, targets.geometric_normal);
+            write(normal, targets.normal);
+            write(from_glm(material.diffuse) * texture_color, targets.albedo);
+            if (targets.uv[0]) {
+                store_where(chosen, all, u, targets.uv[0] + at);
+                store_where(chosen, all, v, targets.uv[1] + at);
+            }
+        }
         if (targets.color[0])
-            store3_where(chosen,
-                phong(tile, material, {at, bits, position, normal, to_eye}, texture_color),
-                targets.color, at);
+            write(phong(tile, material, {at, bits, position, normal, to_eye}, texture_color),
+                targets.color);
     }
 }
 

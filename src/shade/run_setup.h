@@ -23,18 +23,6 @@ struct Interpolated {
     Vec to2{0};
 };
 
-/// The triangle behind a run, as shading sees it.
-struct RunSetup {
-    std::uint32_t material = 0;
-    glm::vec3 geometric{0};         // unit, towards the eye; 0 where the triangle has no area
-    Interpolated<glm::vec3> normal; // of the side that the eye is on, not unit
-    Interpolated<glm::vec2> uv;
-    // Gradients for footprint2 (src/glsl/texture.glsl).
-    glm::vec2 grad_u{0};
-    glm::vec2 grad_v{0};
-    glm::vec2 grad_1{0};
-};
-
 /// What of a World shading reads, checked once a tile.
 struct ShadeArrays {
     const Scene* scene = nullptr;
@@ -61,55 +49,83 @@ inline const Texture* texture_of(const Scene& scene, const Material& material)
     return texture.levels.empty() ? nullptr : &texture;
 }
 
-/// In double, so that neither tiny nor huge triangles lose their normal to float's range.
-FIRSTHIT_PURE RunSetup set_up_run(
+/// The triangle's plane as the eye sees it, the same for all samples. In double, so that neither tiny
+/// nor huge triangles lose their normal to float's range.
+struct RunPlane {
+    glm::uvec3 corner{0};
+    glm::dvec3 p0_eye{0}; // corner 0 from the eye
+    glm::dvec3 e1{0};     // corner 1 from corner 0
+    glm::dvec3 e2{0};
+    glm::dvec3 n{0}; // e1 x e2
+    double n_p0 = 0; // n . p0_eye
+    double side = 1; // 1 where n looks towards the eye, else -1
+};
+
+FIRSTHIT_PURE RunPlane run_plane(
     const ShadeArrays& arrays, std::uint32_t item, const TileFrame& frame)
 {
-    RunSetup run;
-    run.material = arrays.scene->parts[arrays.scene->owner[item]].material;
-    const glm::uvec3 corner = arrays.scene->index[item];
+    RunPlane plane;
+    plane.corner = arrays.scene->index[item];
+    const glm::dvec3 p0(arrays.position[plane.corner.x]);
+    plane.p0_eye = p0 - glm::dvec3(frame.eye);
+    plane.e1 = glm::dvec3(arrays.position[plane.corner.y]) - p0;
+    plane.e2 = glm::dvec3(arrays.position[plane.corner.z]) - p0;
+    plane.n = glm::cross(plane.e1, plane.e2);
+    plane.n_p0 = glm::dot(plane.n, plane.p0_eye);
+    plane.side = plane.n_p0 > 0 ? -1 : 1;
+    return plane;
+}
 
-    // The plane, and the side of it that the eye is on: the same for all samples.
-    const glm::dvec3 p0(arrays.position[corner.x]);
-    const glm::dvec3 e1 = glm::dvec3(arrays.position[corner.y]) - p0;
-    const glm::dvec3 e2 = glm::dvec3(arrays.position[corner.z]) - p0;
-    const glm::dvec3 n = glm::cross(e1, e2);
-    const glm::dvec3 p0_eye = p0 - glm::dvec3(frame.eye);
-    const double n_p0 = glm::dot(n, p0_eye);
-    const double side = n_p0 > 0 ? -1 : 1;
-    const double length = std::sqrt(glm::dot(n, n));
-    if (length > 0) run.geometric = glm::vec3(n * (side / length));
+/// Unit, towards the eye; 0 where the triangle has no area.
+FIRSTHIT_PURE glm::vec3 geometric_normal(const RunPlane& plane)
+{
+    const double length = std::sqrt(glm::dot(plane.n, plane.n));
+    return length > 0 ? glm::vec3(plane.n * (plane.side / length)) : glm::vec3(0);
+}
 
-    // Normals go by the plane's side, not by the winding, which in real files opposes some of them.
-    if (arrays.normal) {
-        const glm::vec3 n0 = arrays.normal[corner.x];
-        const glm::vec3 n1 = arrays.normal[corner.y];
-        const glm::vec3 n2 = arrays.normal[corner.z];
-        const float flip = glm::dot(n0 + n1 + n2, run.geometric) < 0 ? -1.0f : 1.0f;
-        run.normal.at0 = n0 * flip;
-        run.normal.to1 = (n1 - n0) * flip;
-        run.normal.to2 = (n2 - n0) * flip;
-    }
-    if (arrays.uv) {
-        run.uv.at0 = arrays.uv[corner.x];
-        run.uv.to1 = arrays.uv[corner.y] - run.uv.at0;
-        run.uv.to2 = arrays.uv[corner.z] - run.uv.at0;
-    }
+/// Of the side that the eye is on, not unit; 0 where the world has none. Normals go by the plane's
+/// side, not by the winding, which in real files opposes some of them.
+FIRSTHIT_PURE Interpolated<glm::vec3> run_normal(const ShadeArrays& arrays, const RunPlane& plane)
+{
+    if (!arrays.normal) return {};
+    const glm::vec3 n0 = arrays.normal[plane.corner.x];
+    const glm::vec3 n1 = arrays.normal[plane.corner.y];
+    const glm::vec3 n2 = arrays.normal[plane.corner.z];
+    const glm::dvec3 sum(n0 + n1 + n2);
+    const float flip = glm::dot(sum, plane.n) * plane.side < 0 ? -1.0f : 1.0f;
+    return {n0 * flip, (n1 - n0) * flip, (n2 - n0) * flip};
+}
 
-    // Only textured triangles have a footprint.
-    if (arrays.uv && texture_of(*arrays.scene, arrays.scene->materials[run.material])) {
-        const glm::dvec3 w1 = glm::cross(e2, p0_eye);
-        const glm::dvec3 w2 = glm::cross(p0_eye, e1);
-        const glm::dvec3 right(frame.world_from_eye[0]);
-        const glm::dvec3 down(frame.world_from_eye[1]);
-        const double step = double(frame.inv_f) / n_p0;
-        const glm::dvec2 w1_xy(glm::dot(w1, right) * step, glm::dot(w1, down) * step);
-        const glm::dvec2 w2_xy(glm::dot(w2, right) * step, glm::dot(w2, down) * step);
-        run.grad_1 = glm::vec2(glm::dot(n, right) * step, glm::dot(n, down) * step);
-        run.grad_u = glm::vec2(w1_xy * double(run.uv.to1.x) + w2_xy * double(run.uv.to2.x));
-        run.grad_v = glm::vec2(w1_xy * double(run.uv.to1.y) + w2_xy * double(run.uv.to2.y));
-    }
-    return run;
+/// Texture coordinates.
+FIRSTHIT_PURE Interpolated<glm::vec2> run_uv(const ShadeArrays& arrays, const glm::uvec3& corner)
+{
+    if (!arrays.uv) return {};
+    const glm::vec2 uv0 = arrays.uv[corner.x];
+    return {uv0, arrays.uv[corner.y] - uv0, arrays.uv[corner.z] - uv0};
+}
+
+/// Gradients for footprint2 (src/glsl/texture.glsl).
+struct RunGradients {
+    glm::vec2 u{0};
+    glm::vec2 v{0};
+    glm::vec2 one{0};
+};
+
+FIRSTHIT_PURE RunGradients run_gradients(
+    const RunPlane& plane, const Interpolated<glm::vec2>& uv, const TileFrame& frame)
+{
+    const glm::dvec3 w1 = glm::cross(plane.e2, plane.p0_eye);
+    const glm::dvec3 w2 = glm::cross(plane.p0_eye, plane.e1);
+    const glm::dvec3 right(frame.world_from_eye[0]);
+    const glm::dvec3 down(frame.world_from_eye[1]);
+    const double step = double(frame.inv_f) / plane.n_p0;
+    const glm::dvec2 w1_xy(glm::dot(w1, right) * step, glm::dot(w1, down) * step);
+    const glm::dvec2 w2_xy(glm::dot(w2, right) * step, glm::dot(w2, down) * step);
+    RunGradients gradients;
+    gradients.one = glm::vec2(glm::dot(plane.n, right) * step, glm::dot(plane.n, down) * step);
+    gradients.u = glm::vec2(w1_xy * double(uv.to1.x) + w2_xy * double(uv.to2.x));
+    gradients.v = glm::vec2(w1_xy * double(uv.to1.y) + w2_xy * double(uv.to2.y));
+    return gradients;
 }
 
 } // namespace firsthit

@@ -9,14 +9,18 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/shade_tile.cpp"
 #include "base/simd.h"
 
+#include <hwy/cache_control.h>
+
 #include "shade/background-inl.h"
 #include "shade/block_surface-inl.h"
 #include "shade/phong_block-inl.h"
+#include "shade/sample_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -36,7 +40,6 @@ class BlockMaterials {
             }
         group_[count_++] = {material, samples};
     }
-    bool full() const { return count_ == kBlockSamples; }
 
     struct Group {
         std::uint32_t material;
@@ -50,29 +53,113 @@ class BlockMaterials {
     Group group_[kBlockSamples];
 };
 
+/// Runs of a block from which on its samples are worked out one by one (measured).
+constexpr std::size_t kManyRuns = 5;
+
+/// Fetches what the runs to come will need into the cache, ahead of them: where arrays are larger
+/// than the caches, waiting for them is most of the time.
+class RunPrefetch {
+  public:
+    RunPrefetch(const ShadeArrays& arrays, std::span<const HitRun> runs)
+        : arrays_(arrays),
+          runs_(arrays.scene->vertices > kCachedVertices && arrays.normal
+                    ? runs
+                    : std::span<const HitRun>())
+    {
+    }
+
+    /// Of the runs after number `run`.
+    HWY_INLINE void advance(std::size_t run)
+    {
+        for (const std::size_t end = std::min(run + 2 * kAhead, runs_.size()); index_ < end;
+             ++index_)
+            hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
+        for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
+             ++corner_) {
+            const glm::uvec3 corner = arrays_.scene->index[runs_[corner_].item];
+            for (int k = 0; k < 3; ++k) {
+                hwy::Prefetch(&arrays_.position[corner[k]]);
+                hwy::Prefetch(&arrays_.normal[corner[k]]);
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t kAhead = 64;               // runs: a block of them
+    static constexpr std::size_t kCachedVertices = 1 << 15; // 24 bytes each
+
+    const ShadeArrays& arrays_;
+    std::span<const HitRun> runs_;
+    std::size_t index_ = 0;
+    std::size_t corner_ = 0;
+};
+
+/// Works out what the block's targets need of its runs' triangles.
+HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
+    std::uint64_t reached, bool planes, SampleCorners& corners, BlockSurface& surface)
+{
+    const ShadeArrays& arrays = tile.arrays;
+    const Scene& scene = *arrays.scene;
+    const bool one_by_one = !planes && arrays.normal && runs.size() >= kManyRuns;
+    const bool with_uv = tile.targets.uv[0] != nullptr;
+
+    BlockMaterials materials;
+    for (const HitRun& run : runs) {
+        const std::uint32_t material =
+            scene.materials.size() == 1 ? 0 : scene.parts[scene.owner[run.item]].material;
+        materials.add(material, run.samples);
+        const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
+        const bool seen = planes || (run.samples & reached) != 0;
+        if (one_by_one && seen) corners.set(scene.index[run.item], run.samples);
+        if (!texture && !with_uv && (one_by_one || !seen)) continue;
+
+        const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
+        if (seen && !one_by_one) spread_normal(run_normal(arrays, plane), run, tile.hits, surface);
+        if (planes) spread_geometric(geometric_normal(plane), run, surface);
+        if (!texture && !with_uv) continue;
+        const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
+        RunGradients gradients;
+        if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);
+        spread_uv(uv, gradients, texture, run, tile.hits, surface);
+    }
+    for (int first = 0; one_by_one && first < kBlockSamples; first += kLanes) {
+        if (lane_bits(reached, first) == 0) continue;
+        if (corners.has_last)
+            sample_normals<true>(arrays, tile.hits, runs[0].block, corners, first, surface);
+        else
+            sample_normals<false>(arrays, tile.hits, runs[0].block, corners, first, surface);
+    }
+    return materials;
+}
+
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
+    static const ByteTable linear(linear_from_srgb());
     const ShadeLights lights(world.lights);
-    const TileShade tile{hits, world, lights, lit, targets, linear_from_srgb().data()};
     const ShadeArrays arrays = shade_arrays(world);
+    const TileShade tile{hits, world, arrays, lights, lit, targets, linear};
+    const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
+                        targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);
 
+    SampleCorners corners(world.position.size());
     BlockSurface surface = {};
+    RunPrefetch prefetch(arrays, hits.runs);
     for (std::size_t r = 0; r < hits.runs.size();) {
-        // Runs of one block lie side by side.
-        BlockMaterials materials;
+        // Runs of one block lie side by side, at most 64.
         const std::uint32_t block = hits.runs[r].block;
-        for (; r < hits.runs.size() && hits.runs[r].block == block && !materials.full(); ++r) {
-            const HitRun& run = hits.runs[r];
-            const RunSetup setup = set_up_run(arrays, run.item, hits.frame);
-            const Texture* texture =
-                arrays.uv ? texture_of(*world.scene, world.scene->materials[setup.material])
-                          : nullptr;
-            spread_run(setup, run, hits, texture, targets.uv[0] != nullptr, surface);
-            materials.add(setup.material, run.samples);
-        }
+        std::size_t end = r + 1;
+        while (end < hits.runs.size() && end - r < kBlockSamples && hits.runs[end].block == block)
+            ++end;
+        const std::span<const HitRun> runs = hits.runs.subspan(r, end - r);
+        prefetch.advance(end);
+        const std::uint64_t reached = reached_samples(tile, block);
+        const BlockMaterials materials =
+            find_surfaces(tile, runs, reached, planes, corners, surface);
         for (const BlockMaterials::Group& group : materials)
-            shade_samples(tile, block, group.material, group.samples, surface);
+            shade_samples(
+                tile, {block, runs, group.material, group.samples, reached, planes}, surface);
+        r = end;
     }
 }
 

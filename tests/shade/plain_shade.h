@@ -51,8 +51,11 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
     const ShadeTargets& targets, const HitRun& run, int sample)
 {
     const Scene& scene = *world.scene;
-    const RunSetup setup = set_up_run(shade_arrays(world), run.item, hits.frame);
-    const Material& material = scene.materials[setup.material];
+    const ShadeArrays arrays = shade_arrays(world);
+    const RunPlane run_plane = firsthit::run_plane(arrays, run.item, hits.frame);
+    const Interpolated<glm::vec3> run_normals = run_normal(arrays, run_plane);
+    const Interpolated<glm::vec2> run_uvs = run_uv(arrays, run_plane.corner);
+    const Material& material = scene.materials[scene.parts[scene.owner[run.item]].material];
     const std::size_t at = std::size_t(run.block) * kBlockSamples + std::size_t(sample);
     const real t = hits.t[at], u = hits.u[at], v = hits.v[at];
     const auto write = [&](float* const(&plane)[3], const real3& value) {
@@ -67,22 +70,22 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
     const int y = static_cast<int>(run.block) / blocks_x * kBlock + block_y(sample);
     const real3 direction = ray_direction(hits.frame, static_cast<float>(x), static_cast<float>(y));
     const real3 position = hit_position(from_glm(hits.frame.eye), direction, t);
-    const real3 geometric = from_glm(setup.geometric);
+    const real3 geometric = from_glm(geometric_normal(run_plane));
     const real3 to_eye = unit(real3(0, 0, 0) - direction);
-    const real3 normal =
-        visible_normal(from_glm(setup.normal.at0) +
-                           (from_glm(setup.normal.to1) * u + from_glm(setup.normal.to2) * v),
-            geometric, to_eye);
-    const real2 less_corner = from_glm(setup.uv.to1) * u + from_glm(setup.uv.to2) * v;
-    const real2 uv = from_glm(setup.uv.at0) + less_corner;
+    const real3 normal = visible_normal(
+        from_glm(run_normals.at0) + (from_glm(run_normals.to1) * u + from_glm(run_normals.to2) * v),
+        geometric, to_eye);
+    const real2 less_corner = from_glm(run_uvs.to1) * u + from_glm(run_uvs.to2) * v;
+    const real2 uv = from_glm(run_uvs.at0) + less_corner;
 
     real3 color_of_texture(1, 1, 1);
     if (const Texture* texture = texture_of(scene, material)) {
         const real2 size(static_cast<float>(texture->levels[0].width),
             static_cast<float>(texture->levels[0].height));
+        const RunGradients gradients = run_gradients(run_plane, run_uvs, hits.frame);
         color_of_texture = sample_texture(*texture, uv.x, uv.y,
-            footprint2(less_corner.x, less_corner.y, t, from_glm(setup.grad_u),
-                from_glm(setup.grad_v), from_glm(setup.grad_1), size));
+            footprint2(less_corner.x, less_corner.y, t, from_glm(gradients.u),
+                from_glm(gradients.v), from_glm(gradients.one), size));
     }
     const real3 diffuse = from_glm(material.diffuse) * color_of_texture;
     real3 color = from_glm(material.ambient * scene.ambient) * color_of_texture;

@@ -13,15 +13,21 @@
 namespace firsthit {
 namespace {
 
-void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit = {})
+/// color_only: then what the other planes need is left out.
+void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit, bool color_only)
 {
     ShadeMemory plain;
     plain_shade(tile.hits, tile.world, lit, plain.targets);
     for_instruction_sets([&] {
         ShadeMemory memory;
-        shade_tile(tile.hits, tile.world, lit, memory.targets);
+        ShadeTargets targets = memory.targets;
+        if (color_only) {
+            targets = {};
+            std::copy_n(memory.targets.color, 3, targets.color);
+        }
+        shade_tile(tile.hits, tile.world, lit, targets);
         int different = 0;
-        for (int plane = 0; plane < ShadeMemory::kPlanes; ++plane)
+        for (int plane = 0; plane < (color_only ? 3 : ShadeMemory::kPlanes); ++plane)
             for (int k = 0; k < tile.hits.size * tile.hits.size; ++k) {
                 const float a = plain.plane(plane)[k];
                 const float b = memory.plane(plane)[k];
@@ -32,6 +38,12 @@ void expect_same_bits(const TileScene& tile, const char* what, const LitTile& li
             }
         EXPECT_EQ(different, 0);
     });
+}
+
+void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit = {})
+{
+    expect_same_bits(tile, what, lit, false);
+    expect_same_bits(tile, what, lit, true);
 }
 
 glm::vec3 random_point(std::mt19937& random, float size)
@@ -110,6 +122,82 @@ TEST(ShadeSameBits, OfLightsOfEveryKindPartlyInShadow)
         expect_same_bits(tile, "no shadows");
         expect_same_bits(tile, "shadows", {lit, 32 * 32});
     }
+}
+
+/// A mesh of triangles about as large as samples, whose normals are of any side and length.
+void fill_with_dust(TileScene& tile, std::mt19937& random, float side)
+{
+    const auto corner = [&](float x, float y) {
+        return glm::vec3(x, y, -10) + random_point(random, side / 4);
+    };
+    for (float y = -4; y < 4; y += side)
+        for (float x = -4; x < 4; x += side) {
+            tile.add_triangle(corner(x, y), corner(x + side, y), corner(x + side, y + side));
+            tile.add_triangle(corner(x, y), corner(x + side, y + side), corner(x, y + side));
+        }
+    for (glm::vec3& normal : tile.world.normal) {
+        const unsigned kind = random() % 8;
+        normal = kind == 0 ? glm::vec3(0) : kind == 1 ? -normal : random_point(random, 1);
+    }
+    tile.material().specular = glm::vec3(0.5f);
+    tile.material().shininess = 9;
+    tile.add_light({3, 5, 2});
+    tile.add_light({-30, 5, -10}, {0.5f, 0.25f, 0});
+}
+
+TEST(ShadeSameBits, OfTrianglesAsSmallAsSamples)
+{
+    for (const float side : {0.2f, 0.4f, 0.6f, 1.0f, 1.5f}) {
+        SCOPED_TRACE(side);
+        std::mt19937 random(unsigned(side * 10));
+        TileScene tile(16);
+        fill_with_dust(tile, random, side);
+        tile.cast();
+        expect_same_bits(tile, "dust");
+        alignas(64) float lit[2 * 16 * 16];
+        for (float& share : lit) share = random() % 3 == 0 ? 1.0f : 0.0f;
+        std::fill_n(lit, 64, 0.0f);
+        std::fill_n(lit + 16 * 16, 64, 0.0f);
+        expect_same_bits(tile, "dust, in shadow", {lit, 16 * 16});
+    }
+}
+
+TEST(ShadeSameBits, OfTheLastVertexOfItsArrays)
+{
+    // A corner is fetched as 16 bytes, of which the last one has but 12.
+    std::mt19937 random(3);
+    TileScene tile(16);
+    fill_with_dust(tile, random, 0.5f);
+    tile.cast();
+    const std::size_t last = tile.item[100];
+    std::vector<glm::vec3> position, normal;
+    position.reserve(tile.world.position.size());
+    normal.reserve(tile.world.normal.size());
+    for (std::size_t triangle = 0; triangle <= last; ++triangle)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            position.push_back(tile.world.position[3 * triangle + corner]);
+            normal.push_back(tile.world.normal[3 * triangle + corner]);
+        }
+    position.shrink_to_fit();
+    normal.shrink_to_fit();
+    tile.world.position = std::move(position);
+    tile.world.normal = std::move(normal);
+    tile.scene.index.resize(last + 1);
+    tile.scene.owner.resize(last + 1);
+    tile.scene.uv.resize(3 * (last + 1));
+    tile.scene.vertices = 3 * (last + 1);
+    tile.cast();
+    expect_same_bits(tile, "last");
+}
+
+TEST(ShadeSameBits, OfAWorldWithoutNormals)
+{
+    std::mt19937 random(5);
+    TileScene tile(16);
+    fill_with_dust(tile, random, 0.5f);
+    tile.cast();
+    tile.world.normal.clear();
+    expect_same_bits(tile, "no normals");
 }
 
 TEST(ShadeSameBits, OfLightThatIsTooMuchForFloat)

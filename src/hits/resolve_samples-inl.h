@@ -1,0 +1,111 @@
+// resolve_samples-inl.h - hits of a block whose samples mostly have triangles of their own.
+//
+// Each lane of a register fetches and sets up its own triangle; nothing is kept for a run.
+#if defined(FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_
+#undef FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_
+#else
+#define FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_
+#endif
+
+#include "hits/lane_hits-inl.h"
+#include "visibility/view_memory.h"
+
+#include <firsthit/scene.h>
+
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Corners corners_of(const ViewMemory& view, std::uint32_t item)
+{
+    const glm::uvec3 index = view.index[item];
+    return {glm::vec3(view.corner[index.x]), glm::vec3(view.corner[index.y]),
+        glm::vec3(view.corner[index.z])};
+}
+
+/// Corner number `corner` of each lane's triangle.
+HWY_INLINE Vector3<FloatLanes> fetch_corner(
+    const ViewMemory& view, const glm::uvec3* index, int corner)
+{
+    const Floats f;
+    const auto place = [&](int lane) { return &view.corner[index[lane][corner]].x; };
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+    // One or two 4x4 matrices are transposed: of lanes 0 to 3 in the lower half.
+    const auto rows = [&](int lane) {
+        const hn::CappedTag<float, 4> four;
+        const auto low = hn::Load(four, place(lane));
+#if HWY_TARGET == HWY_AVX3
+        return hn::Combine(f, hn::Load(four, place(lane + 4)), low);
+#else
+        return low;
+#endif
+    };
+    const hn::Repartition<double, Floats> pairs;
+    const auto v0 = rows(0), v1 = rows(1), v2 = rows(2), v3 = rows(3);
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(f, v0, v1)); // x0 x1 y0 y1
+    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(f, v2, v3));
+    const auto z01 = hn::BitCast(pairs, hn::InterleaveUpper(f, v0, v1));
+    const auto z23 = hn::BitCast(pairs, hn::InterleaveUpper(f, v2, v3));
+    return {hn::BitCast(f, hn::InterleaveLower(pairs, xy01, xy23)),
+        hn::BitCast(f, hn::InterleaveUpper(pairs, xy01, xy23)),
+        hn::BitCast(f, hn::InterleaveLower(pairs, z01, z23))};
+#else
+    alignas(64) float at[3][kHitLanes];
+    for (int lane = 0; lane < kHitLanes; ++lane)
+        for (int axis = 0; axis < 3; ++axis) at[axis][lane] = place(lane)[axis];
+    return {hn::Load(f, at[0]), hn::Load(f, at[1]), hn::Load(f, at[2])};
+#endif
+}
+
+/// Hits of all samples of a block, and the sides of its runs.
+HWY_INLINE void resolve_samples(
+    const ViewMemory& view, const ItemTile& items, std::span<HitRun> runs, const HitPlaces& places)
+{
+    const Doubles d;
+    const BlockOfRays rays(items, runs[0].block);
+    const std::uint32_t* item = items.item.data() + rays.offset;
+    std::uint64_t covered = 0, suspect = 0;
+    for (const HitRun& run : runs) covered |= run.samples;
+
+    alignas(64) double volume[kBlockSamples], volume_size[kBlockSamples];
+    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
+    for (int first = 0; first < kBlockSamples; first += kHitLanes) {
+        const std::uint64_t samples = covered >> first & kAll;
+        if (samples == 0) continue;
+        glm::uvec3 index[kHitLanes];
+        for (int lane = 0; lane < kHitLanes; ++lane) {
+            const std::uint32_t id = item[first + lane];
+            index[lane] = view.index[id == kNoItem ? runs[0].item : id];
+        }
+        const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
+                   c2 = fetch_corner(view, index, 2);
+        const auto wide = [&](const Vector3<FloatLanes>& c) {
+            return Vector3<DoubleLanes>{
+                hn::PromoteTo(d, c.x), hn::PromoteTo(d, c.y), hn::PromoteTo(d, c.z)};
+        };
+        const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
+        const LanePlanes planes =
+            lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
+        hn::Store(p.volume, d, volume + first);
+        hn::Store(p.volume_size, d, volume_size + first);
+        suspect |= meet(planes, rays, first, samples, places) << first;
+    }
+    for (; suspect; suspect &= suspect - 1) { // seldom
+        const int sample = std::countr_zero(suspect);
+        repair_hit(corners_of(view, item[sample]), rays, sample, places);
+    }
+    for (HitRun& run : runs) {
+        const int sample = std::countr_zero(run.samples);
+        run.eye_side = side_of(
+            volume[sample], volume_size[sample], [&] { return corners_of(view, run.item); });
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

@@ -1,0 +1,46 @@
+// copy_rows_test.cpp - a tile's planes become rows of pixels, past the caches or not.
+#include "cpu/copy_rows.h"
+
+#include "base/tile_order.h"
+#include "instruction_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace firsthit {
+namespace {
+
+TEST(CopyRows, OfEveryWidthAndPlaceAreThoseOfThePlainLoop)
+{
+    constexpr int kTile = 24, kFilmWidth = 61, kFilmHeight = 30;
+    alignas(64) static float plane[3][kTile * kTile];
+    for (int k = 0; k < kTile * kTile; ++k)
+        for (int c = 0; c < 3; ++c) plane[c][k] = float(10 * k + c);
+    const float* const from[] = {plane[0], plane[1], plane[2]};
+
+    for_instruction_sets([&] {
+        for (std::size_t channels = 1; channels <= 3; ++channels)
+            for (const bool stream : {false, true})
+                for (int width = 1; width <= kTile; ++width) {
+                    // Any alignment of the first pixel to a line of the cache, and of the film.
+                    const PixelRect rect{width + 7, 3, width, 20};
+                    std::vector<float> film(3 * kFilmWidth * kFilmHeight + 16, -1.0f);
+                    std::vector<float> plain = film;
+                    float* const to = film.data() + width % 16;
+                    copy_rows(rect, kFilmWidth, kTile, {from, channels}, to, stream);
+                    for (int y = 0; y < rect.height; ++y)
+                        for (int x = 0; x < width; ++x)
+                            for (std::size_t c = 0; c < channels; ++c)
+                                plain[std::size_t(width % 16) +
+                                      std::size_t(
+                                          (rect.film_y + y) * kFilmWidth + rect.film_x + x) *
+                                          channels +
+                                      c] = plane[c][tile_offset(x, y, kTile)];
+                    ASSERT_EQ(film, plain) << channels << " " << stream << " " << width;
+                }
+    });
+}
+
+} // namespace
+} // namespace firsthit
