@@ -195,10 +195,14 @@ HWY_INLINE bool is_large(const TileEntry& entry, int half)
     return entry.x1 - entry.x0 >= half && entry.y1 - entry.y0 >= half;
 }
 
-void raster_depths(
-    const ViewMemory& view, std::span<const TileEntry> entries, float x0, float y0, DepthTile& tile)
+void raster_depths(const ViewMemory& view, std::span<const TileEntry> entries,
+    std::span<const Fragment> fragments, float x0, float y0, DepthTile& tile)
 {
     std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
+    for (const Fragment& fragment : fragments) {
+        float& stored = tile.w[fragment.offset];
+        stored = std::max(stored, fragment.w);
+    }
     // Large triangles first: what they hide changes no depth and is left out, as all behind a roof.
     const int half = view.tile_size / 2;
     bool any_large = false;
@@ -254,8 +258,11 @@ void raster_depth(const ViewMemory& view, int tile, DepthTile& out)
     const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
     const std::uint32_t first = view.tile_start[std::size_t(tile)];
     const std::uint32_t last = view.tile_start[std::size_t(tile) + 1];
+    const std::uint32_t first_fragment = view.fragment_start[std::size_t(tile)];
+    const std::uint32_t last_fragment = view.fragment_start[std::size_t(tile) + 1];
     HWY_DYNAMIC_DISPATCH(raster_depths)
     (view, view.entry.span().subspan(first, last - first),
+        view.fragment.span().subspan(first_fragment, last_fragment - first_fragment),
         float(view.pencil.x0 + tx * view.tile_size), float(view.pencil.y0 + ty * view.tile_size),
         out);
 }

@@ -78,8 +78,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto front = hn::RebindMask(w, in_front);
     const auto first =
         pair(hn::IfThenElse(front, whole(first_x), hn::Set(w, VertexBox::kBehind)), whole(first_y));
-    hn::StoreInterleaved3(
-        first, pair(whole(minus_last_x), whole(minus_last_y)), hn::BitCast(w, z), w, box);
+    hn::StoreInterleaved2(first, pair(whole(minus_last_x), whole(minus_last_y)), w, box);
 }
 
 void project_range(

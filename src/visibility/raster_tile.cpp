@@ -129,9 +129,34 @@ void clear(ItemTile& tile)
     tile.counts = {};
 }
 
-void raster_entries(const ViewMemory& view, std::span<const TileEntry> entries, ItemTile& tile)
+/// Stores the fragments that are nearer than what is there.
+void merge(const ViewMemory& view, std::span<const Fragment> fragments, ItemTile& tile)
+{
+    float* w = tile.w.data();
+    std::uint32_t* item = tile.item.data();
+    for (const Fragment& fragment : fragments) {
+        const float stored = w[fragment.offset];
+        const float ahead = fragment.w - stored, slack = stored * kDepthSlack;
+        const bool win = ahead > slack;
+        if (!win && !(ahead < -slack)) [[unlikely]] {
+            settle_fragment(view, tile, fragment);
+            continue;
+        }
+        // Without a branch, which would often be guessed wrong.
+        w[fragment.offset] = std::max(fragment.w, stored);
+        item[fragment.offset] = win ? fragment.triangle : item[fragment.offset];
+    }
+    if (fragments.empty()) return;
+    for (int block = 0; block < tile.blocks(); ++block)
+        tile.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
+    refresh_blocks(tile);
+}
+
+void raster_entries(const ViewMemory& view, std::span<const TileEntry> entries,
+    std::span<const Fragment> fragments, ItemTile& tile)
 {
     clear(tile);
+    merge(view, fragments, tile);
     for (std::size_t first = 0; first < entries.size(); first += ItemTile::kChunk) {
         const auto chunk =
             entries.subspan(first, std::min(ItemTile::kChunk, entries.size() - first));
@@ -181,7 +206,11 @@ void raster_tile(const ViewMemory& view, int tile, ItemTile& out)
     out.y0 = float(view.pencil.y0 + ty * view.tile_size);
     const std::uint32_t first = view.tile_start[std::size_t(tile)];
     const std::uint32_t last = view.tile_start[std::size_t(tile) + 1];
-    HWY_DYNAMIC_DISPATCH(raster_entries)(view, view.entry.span().subspan(first, last - first), out);
+    const std::uint32_t first_fragment = view.fragment_start[std::size_t(tile)];
+    const std::uint32_t last_fragment = view.fragment_start[std::size_t(tile) + 1];
+    HWY_DYNAMIC_DISPATCH(raster_entries)
+    (view, view.entry.span().subspan(first, last - first),
+        view.fragment.span().subspan(first_fragment, last_fragment - first_fragment), out);
 }
 
 } // namespace firsthit

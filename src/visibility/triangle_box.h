@@ -29,7 +29,9 @@ inline bool box_of(
         return found.has_value();
     }
     if (x0 + mx1 > 0 || y0 + my1 > 0) return false;
-    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1), std::min({a.z, b.z, c.z})};
+    const auto z = [&](std::uint32_t v) { return memory.corner[v].z; };
+    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1),
+        std::min({z(corner.x), z(corner.y), z(corner.z)})};
     return true;
 }
 

@@ -13,19 +13,17 @@
 namespace firsthit {
 
 /// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
-/// corners' boxes is its own box, and empty where first > last. The depth comes along, so that a
-/// triangle's nearest corner is known without another look. 12 bytes.
+/// corners' boxes is its own box, and empty where first > last. 8 bytes.
 struct VertexBox {
     std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
     std::int16_t first_y;
     std::int16_t minus_last_x; // minus the last sample at or left of it, in [-(width - 1), 1]
     std::int16_t minus_last_y;
-    float z; // in eye space
 
     /// In first_x: the vertex has no projection, its triangles take the careful way.
     static constexpr std::int16_t kBehind = -1;
 };
-static_assert(sizeof(VertexBox) == 12);
+static_assert(sizeof(VertexBox) == 8);
 
 /// A triangle that may hit a sample: its samples, ends included. 16 bytes.
 struct InView {
@@ -41,6 +39,20 @@ struct TileEntry {
     float nearest_z;
 };
 
+/// A sample that a tiny triangle is certain to cover. 12 bytes.
+struct Fragment {
+    std::uint32_t offset; // in the tile, see tile_order.h
+    std::uint32_t triangle;
+    float w; // 1/t
+};
+
+/// What a range of triangles found.
+struct RangeCount {
+    std::uint32_t in_view;   // to be sorted into tiles
+    std::uint32_t tiny;      // done with: what they cover is among the fragments
+    std::uint32_t fragments; // of those
+};
+
 struct ViewMemory {
     Pencil pencil;
     int tile_size = 64;
@@ -53,11 +65,21 @@ struct ViewMemory {
     Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
     Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
-    Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
+    Buffer<RangeCount> range_count;    // (ranges)
     Buffer<std::uint32_t> cursor;      // (ranges, tiles)
     Buffer<std::uint8_t> tile_of;      // sample -> tile number on one axis
 
-    std::uint64_t in_view_count = 0;
+    std::uint32_t found_room = 0;         // fragments for which a range has room
+    Buffer<std::uint32_t> found_place;    // (ranges, room): tile << 16 | offset; each range fills the
+    Buffer<std::uint32_t> found_triangle; // start of its part
+    Buffer<float> found_w;
+    Buffer<Fragment> fragment;             // (fragments) by tile, then by range
+    Buffer<std::uint32_t> fragment_start;  // (tiles + 1) into fragment
+    Buffer<std::uint32_t> fragment_cursor; // (ranges, tiles)
+    Buffer<std::uint32_t> column_place;    // of a sample's column and row: a place is the sum
+    Buffer<std::uint32_t> row_place;
+
+    std::uint64_t in_view_count = 0; // triangles that may hit a sample
     std::uint64_t entry_count = 0;
 
     int tiles() const { return tiles_x * tiles_y; }

@@ -30,6 +30,13 @@ struct Binned {
     }
 };
 
+std::span<const Fragment> fragments_of(const ViewMemory& memory, int tile)
+{
+    const std::uint32_t first = memory.fragment_start[std::size_t(tile)];
+    return memory.fragment.span().subspan(
+        first, memory.fragment_start[std::size_t(tile) + 1] - first);
+}
+
 template <class F>
 void for_adversarial_worlds(const F& check)
 {
@@ -63,6 +70,9 @@ TEST(BinTriangles, HoldsEverySampleThatATriangleHits)
                         y % 16 <= entry.y1)
                         listed[entry.triangle] = true;
                 }
+                for (const Fragment& fragment : fragments_of(binned.memory, tile))
+                    if (int(fragment.offset) == tile_offset(x % 16, y % 16, 16))
+                        listed[fragment.triangle] = true;
                 for (std::size_t t = 0; t < listed.size(); t += 3) // a third is enough
                     EXPECT_TRUE(listed[t] || !is_hit(eye.triangles[t], eye.ray(x, y), effort));
             }
