@@ -8,7 +8,7 @@
 namespace firsthit {
 
 /// Sorts the triangles by tile: fills memory.entry and memory.tile_start, memory.fragment and
-/// memory.fragment_start from memory.corner and memory.box. Conservative: a triangle that hits a
+/// memory.fragment_start from memory.corner. Conservative: a triangle that hits a
 /// sample is among the entries of the sample's tile, with a box that holds the sample, or has a
 /// fragment there. Their order depends on the triangles alone.
 ///

@@ -7,9 +7,8 @@
 #include "visibility/tiny_triangles-inl.h"
 #include "visibility/triangle_box.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -22,24 +21,32 @@ using Words = hn::CappedTag<std::int32_t, 16>;
 /// Triangles whose boxes are found together.
 constexpr std::size_t kGroup = 64;
 
-/// Boxes of `count` triangles from their corners' boxes.
-HWY_INLINE void find_boxes(
-    const VertexBox* box, const glm::uvec3* index, std::size_t count, VertexBox* found)
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        const VertexBox &a = box[index[i].x], &b = box[index[i].y], &c = box[index[i].z];
+/// Least and most of each triangle's corners, of a group of `count`.
+struct GroupSamples {
+    alignas(64) VertexSamples least[kGroup], most[kGroup];
+
+    HWY_INLINE void find(
+        const glm::vec4* HWY_RESTRICT corner, const glm::uvec3* HWY_RESTRICT index, std::size_t count)
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            const float *a = &corner[index[i].x].w, *b = &corner[index[i].y].w,
+                        *c = &corner[index[i].z].w;
 #if HWY_TARGET == HWY_SCALAR
-        found[i] = {std::min({a.first_x, b.first_x, c.first_x}),
-            std::min({a.first_y, b.first_y, c.first_y}),
-            std::min({a.minus_last_x, b.minus_last_x, c.minus_last_x}),
-            std::min({a.minus_last_y, b.minus_last_y, c.minus_last_y})};
+            const auto load = [](const float* v) { return std::bit_cast<VertexSamples>(*v); };
+            const VertexSamples p = load(a), q = load(b), r = load(c);
+            least[i] = {std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y})};
+            most[i] = {std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y})};
 #else
-        const hn::FixedTag<std::int16_t, 4> d;
-        const auto load = [&](const VertexBox& v) { return hn::LoadU(d, &v.first_x); };
-        hn::StoreU(hn::Min(hn::Min(load(a), load(b)), load(c)), d, &found[i].first_x);
+            const hn::FixedTag<std::int16_t, 2> d;
+            const hn::FixedTag<float, 1> f;
+            const auto load = [&](const float* v) { return hn::BitCast(d, hn::LoadU(f, v)); };
+            const auto p = load(a), q = load(b), r = load(c);
+            hn::StoreU(hn::Min(hn::Min(p, q), r), d, &least[i].x);
+            hn::StoreU(hn::Max(hn::Max(p, q), r), d, &most[i].x);
 #endif
+        }
     }
-}
+};
 
 /// One range of triangles on the way.
 struct Search {
@@ -61,6 +68,18 @@ struct Search {
         ++count.in_view;
     }
 
+    HWY_INLINE void gather(const glm::vec4* HWY_RESTRICT corner,
+        const glm::uvec3* HWY_RESTRICT index, const TinyList& list, int triangles)
+    {
+        for (int i = 0; i < triangles; ++i) {
+            const glm::uvec3& at = index[list.triangle[i]];
+            const glm::vec4 a = corner[at.x], b = corner[at.y], c = corner[at.z];
+            std::memcpy(corners.corner[0][i], &a, sizeof(a));
+            std::memcpy(corners.corner[1][i], &b, sizeof(b));
+            std::memcpy(corners.corner[2][i], &c, sizeof(c));
+        }
+    }
+
     /// From samples to places, and counts them by tile.
     void place_fragments(std::uint32_t first)
     {
@@ -77,11 +96,7 @@ struct Search {
     template <int kSide, bool kDepths, class D>
     void cover(D d, const TinyList& list, int triangles)
     {
-        for (int i = 0; i < triangles; ++i) {
-            const glm::uvec3& index = memory.index[list.triangle[i]];
-            for (int k = 0; k < 3; ++k)
-                std::memcpy(corners.corner[k][i], &memory.corner[index[k]], sizeof(glm::vec4));
-        }
+        gather(memory.corner.data(), memory.index.data(), list, triangles);
         const std::uint32_t before = count.fragments;
         const int lanes = int(hn::Lanes(d));
         for (int i = 0; i < triangles; i += lanes)
@@ -151,39 +166,46 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
 
     const bool any_tiny = kind != TinyTriangles::entries;
     // Boxes that touch the picture's border may be cut off there, their corners be anywhere.
-    const auto last_x = hn::Set(d, 1 - memory.pencil.width);
-    const auto last_y = hn::Set(d, 1 - memory.pencil.height);
-    const auto zero = hn::Zero(d), minus_one = hn::Set(d, -1);
+    const auto last_x = hn::Set(d, memory.pencil.width - 1);
+    const auto last_y = hn::Set(d, memory.pencil.height - 1);
+    const auto zero = hn::Zero(d), one = hn::Set(d, 1), minus_one = hn::Set(d, -1);
     const auto low = [](auto v) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(v)); };
     const auto high = [](auto v) { return hn::ShiftRight<16>(v); };
-    alignas(64) VertexBox boxes[kGroup];
+    const auto first_of = [](auto least) { return hn::ShiftRight<1>(least); };
+    const auto last_of = [&](auto most) {
+        return hn::Sub(hn::ShiftRight<1>(hn::Add(most, one)), one);
+    };
+    GroupSamples group;
     for (std::size_t t = first; t < last; t += kGroup) {
         const std::size_t count = std::min(kGroup, last - t);
-        find_boxes(memory.box.data(), &memory.index[t], count, boxes);
+        group.find(memory.corner.data(), &memory.index[t], count);
         for (std::size_t i = 0; i < count; i += lanes) {
-            auto begin = zero, end = zero; // first, minus last
-            hn::LoadInterleaved2(d, reinterpret_cast<const std::int32_t*>(&boxes[i]), begin, end);
-            const auto x = low(begin), y = high(begin), minus_x1 = low(end), minus_y1 = high(end);
-            const auto steps_x = hn::Neg(hn::Add(x, minus_x1));
-            const auto steps_y = hn::Neg(hn::Add(y, minus_y1));
-            const auto behind = hn::Eq(x, minus_one);
+            const auto load = [&](const VertexSamples* from) {
+                return hn::Load(d, reinterpret_cast<const std::int32_t*>(from + i));
+            };
+            const auto least = load(group.least), most = load(group.most);
+            const auto x0 = first_of(low(least)), y0 = first_of(high(least));
+            const auto x1 = last_of(low(most)), y1 = last_of(high(most));
+            const auto steps_x = hn::Sub(x1, x0), steps_y = hn::Sub(y1, y0);
+            const auto behind = hn::Lt(x0, zero);
             const auto holds = hn::Gt(hn::Min(steps_x, steps_y), minus_one);
             const auto seen = hn::And(hn::FirstN(d, count - i), hn::Or(behind, holds));
             if (hn::AllFalse(d, seen)) continue;
-            const auto inner = hn::And(hn::Gt(hn::Min(x, y), zero),
-                hn::And(hn::Gt(minus_x1, last_x), hn::Gt(minus_y1, last_y)));
-            const auto most = hn::Max(steps_x, steps_y);
+            const auto inner = hn::And(hn::Gt(hn::Min(x0, y0), zero),
+                hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
+            const auto side = hn::Max(steps_x, steps_y);
             const auto at_most = [&](int n) {
-                return hn::And(hn::And(seen, inner), hn::Lt(most, hn::Set(d, any_tiny ? n : 0)));
+                return hn::And(hn::And(seen, inner), hn::Lt(side, hn::Set(d, any_tiny ? n : 0)));
             };
             const auto is_tiny = at_most(2), is_small = hn::AndNot(is_tiny, at_most(4));
             const auto triangle =
                 hn::Add(hn::Set(d, std::int32_t(t + i)), hn::Iota(d, std::int32_t(0)));
+            const auto begin = hn::Or(x0, hn::ShiftLeft<16>(y0));
             const auto steps = hn::Or(steps_x, hn::ShiftLeft<16>(steps_y));
             append(triangle, begin, steps, is_tiny, search.tiny);
             append(triangle, begin, steps, is_small, search.small);
-            append(triangle, begin, steps,
-                hn::AndNot(hn::Or(is_tiny, is_small), seen), search.other);
+            append(triangle, begin, steps, hn::AndNot(hn::Or(is_tiny, is_small), seen),
+                search.other);
         }
         if (search.tiny.count >= TinyList::kFull) search.flush<2>(search.tiny, false);
         if (search.small.count >= TinyList::kFull) search.flush<4>(search.small, false);

@@ -12,18 +12,19 @@
 
 namespace firsthit {
 
-/// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
-/// corners' boxes is its own box, and empty where first > last. 8 bytes.
-struct VertexBox {
-    std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
-    std::int16_t first_y;
-    std::int16_t minus_last_x; // minus the last sample at or left of it, in [-(width - 1), 1]
-    std::int16_t minus_last_y;
+/// Where a vertex stands among the samples, along x and y: 2 k + 1 on (or within rounding of) sample
+/// k, 2 k between the samples k - 1 and k, in [0, 2 width]. So a triangle's samples follow from the
+/// least and the most of its corners'. These are the bits of a corner's fourth coordinate.
+struct VertexSamples {
+    std::int16_t x, y;
 
-    /// In first_x: the vertex has no projection, its triangles take the careful way.
-    static constexpr std::int16_t kBehind = -1;
+    /// In x: the vertex has no projection, its triangles take the careful way.
+    static constexpr std::int16_t kBehind = -32768;
+
+    static constexpr int first(int least) { return least >> 1; }
+    static constexpr int last(int most) { return ((most + 1) >> 1) - 1; }
 };
-static_assert(sizeof(VertexBox) == 8);
+static_assert(sizeof(VertexSamples) == sizeof(float));
 
 /// A triangle that may hit a sample: its samples, ends included. 16 bytes.
 struct InView {
@@ -60,8 +61,7 @@ struct ViewMemory {
     int tiles_y = 0;
     std::span<const glm::uvec3> index;
 
-    Buffer<glm::vec4> corner; // (V) eye space; w unused. See Pencil
-    Buffer<VertexBox> box;    // (V)
+    Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
     Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
     Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
