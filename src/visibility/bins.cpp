@@ -1,8 +1,6 @@
 // bins.cpp - triangles to the tiles that they may meet: a counting sort in three passes.
 #include "visibility/bins.h"
 
-#include "base/tile_order.h"
-
 #include <algorithm>
 
 namespace firsthit {
@@ -13,22 +11,6 @@ constexpr std::uint64_t kManyEntries = std::uint64_t(1) << 25;
 
 /// Room for fragments before they are sorted: 100 MB of addresses.
 constexpr std::size_t kManyFragments = std::size_t(1) << 23;
-
-/// What a sample's column and row say of its place: tile << 16 | offset.
-void start_places(ViewMemory& memory)
-{
-    const int size = memory.tile_size;
-    memory.column_place.resize(std::size_t(memory.pencil.width));
-    memory.row_place.resize(std::size_t(memory.pencil.height));
-    const auto part = [](int tile, int offset) {
-        return std::uint32_t(tile) << 16 | std::uint32_t(offset);
-    };
-    for (int x = 0; x < memory.pencil.width; ++x)
-        memory.column_place[std::size_t(x)] = part(x / size, tile_offset(x % size, 0, size));
-    for (int y = 0; y < memory.pencil.height; ++y)
-        memory.row_place[std::size_t(y)] =
-            part(y / size * memory.tiles_x, tile_offset(0, y % size, size));
-}
 
 /// Pass 2: from counts (ranges, tiles) to where each range's things of each tile start. Returns the
 /// number of all.
@@ -78,20 +60,13 @@ void scatter_range(std::size_t range, ViewMemory& memory)
                 local(box->y0, ty), local(box->x1, tx), local(box->y1, ty), box->nearest_z};
         });
     }
-    if (count.fragments == 0) return;
-    std::uint32_t* fragment_cursor = &memory.fragment_cursor[range * std::size_t(memory.tiles())];
-    const std::size_t first = range * memory.found_room;
-    for (std::size_t k = first; k < first + count.fragments; ++k) {
-        const std::uint32_t place = memory.found_place[k];
-        memory.fragment[fragment_cursor[place >> 16]++] = {
-            place & 0xFFFF, memory.found_triangle[k], memory.found_w[k]};
-    }
+    scatter_fragments(range, memory);
 }
 
 } // namespace
 
-bool bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks,
-    TinyTriangles tiny)
+bool bin_triangles(
+    std::span<const glm::uvec3> index, ViewMemory& memory, Tasks& tasks, TinyTriangles tiny)
 {
     const std::size_t ranges = (index.size() + kTriangleRange - 1) / kTriangleRange;
     const std::size_t tiles = std::size_t(memory.tiles());
@@ -107,13 +82,9 @@ bool bin_triangles(std::span<const glm::uvec3> index, ViewMemory& memory, Tasks&
                             : std::uint32_t(std::clamp<std::size_t>(
                                   kManyFragments / std::max<std::size_t>(ranges, 1),
                                   2 * kTriangleRange, 8 * kTriangleRange));
-    const std::size_t room = ranges * memory.found_room;
-    memory.found_place.resize(room);
-    memory.found_triangle.resize(room);
-    memory.found_w.resize(room);
+    memory.found.resize(ranges * memory.found_room);
     memory.fragment_cursor.resize(ranges * tiles);
     memory.fragment_start.resize(tiles + 1);
-    start_places(memory);
 
     tasks.for_each(
         ranges, [&](std::size_t range, std::size_t) { find_in_view(range, tiny, memory); });

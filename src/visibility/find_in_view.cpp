@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "visibility/find_in_view.cpp"
 #include "base/simd.h"
 
+#include "base/tile_order.h"
 #include "visibility/find_in_view.h"
 #include "visibility/tiny_triangles-inl.h"
 #include "visibility/triangle_box.h"
@@ -17,6 +18,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using Words = hn::CappedTag<std::int32_t, 16>;
+using Marks = hn::CappedTag<std::uint32_t, 16>;
 
 /// Triangles whose boxes are found together.
 constexpr std::size_t kGroup = 64;
@@ -25,8 +27,8 @@ constexpr std::size_t kGroup = 64;
 struct GroupSamples {
     alignas(64) VertexSamples least[kGroup], most[kGroup];
 
-    HWY_INLINE void find(
-        const glm::vec4* HWY_RESTRICT corner, const glm::uvec3* HWY_RESTRICT index, std::size_t count)
+    HWY_INLINE void find(const glm::vec4* HWY_RESTRICT corner, const glm::uvec3* HWY_RESTRICT index,
+        std::size_t count)
     {
         for (std::size_t i = 0; i < count; ++i) {
             const float *a = &corner[index[i].x].w, *b = &corner[index[i].y].w,
@@ -48,6 +50,49 @@ struct GroupSamples {
     }
 };
 
+/// From samples to their places: tile << 16 | offset.
+struct Places {
+    hn::Vec<Marks> size, inverse_size, blocks_x, tiles_x;
+
+    explicit Places(const ViewMemory& memory)
+    {
+        const Marks d;
+        const auto set = [&](int v) { return hn::Set(d, std::uint32_t(v)); };
+        size = set(memory.tile_size);
+        inverse_size = set((1 << 22) / memory.tile_size + 1); // exact below 8192 samples
+        blocks_x = set(memory.tile_size / kBlock);
+        tiles_x = set(memory.tiles_x);
+    }
+
+    HWY_INLINE hn::Vec<Marks> of(hn::Vec<Marks> sample) const
+    {
+        const Marks d;
+        const auto bits = [&](auto v, std::uint32_t mask) { return hn::And(v, hn::Set(d, mask)); };
+        const auto x = bits(sample, 0xFFFF), y = hn::ShiftRight<16>(sample);
+        const auto tile_x = hn::ShiftRight<22>(hn::Mul(x, inverse_size));
+        const auto tile_y = hn::ShiftRight<22>(hn::Mul(y, inverse_size));
+        const auto in_x = hn::Sub(x, hn::Mul(tile_x, size));
+        const auto in_y = hn::Sub(y, hn::Mul(tile_y, size));
+        const auto block =
+            hn::Add(hn::Mul(hn::ShiftRight<3>(in_y), blocks_x), hn::ShiftRight<3>(in_x));
+        // tile_order.h
+        const auto in_block =
+            hn::Or(hn::Or(hn::ShiftLeft<3>(bits(in_y, 4)), hn::ShiftLeft<2>(bits(in_x, 4))),
+                hn::Or(hn::ShiftLeft<2>(bits(in_y, 3)), bits(in_x, 3)));
+        const auto tile = hn::Add(hn::Mul(tile_y, tiles_x), tile_x);
+        return hn::Or(hn::ShiftLeft<16>(tile), hn::Or(hn::ShiftLeft<6>(block), in_block));
+    }
+};
+
+/// Whether the first `count` lanes are. Often in a mesh whose triangles follow each other.
+HWY_INLINE bool are_in_one_tile(hn::Vec<Marks> place, std::uint32_t count)
+{
+    const Marks d;
+    const auto tile = hn::ShiftRight<16>(place);
+    const auto other = hn::Ne(tile, hn::Set(d, hn::GetLane(tile)));
+    return hn::AllFalse(d, hn::And(other, hn::FirstN(d, count)));
+}
+
 /// One range of triangles on the way.
 struct Search {
     ViewMemory& memory;
@@ -55,15 +100,27 @@ struct Search {
     std::uint32_t* counts;
     std::uint32_t* fragment_counts;
     InView* kept;
-    FoundFragments found;
+    FragmentTarget found;
     RangeCount count{};
     TinyList tiny, small, other; // boxes of at most 2x2 samples, 4x4, and more
     TinyCorners corners;
 
-    void keep(std::uint32_t triangle)
+    /// Number i of the list becomes an entry of the tiles that its box meets.
+    void keep(const TinyList& list, int i)
     {
         InView& box = kept[count.in_view];
-        if (!box_of(triangle, memory.index[triangle], memory, box)) return;
+        const std::uint32_t triangle = list.triangle[i];
+        const glm::uvec3& index = memory.index[triangle];
+        if (list.first[i] < 0) { // behind the eye
+            if (!box_of(triangle, index, memory, box)) return;
+        } else {
+            const auto low = [](std::int32_t v) { return std::int16_t(v & 0xFFFF); };
+            const auto high = [](std::int32_t v) { return std::int16_t(v >> 16); };
+            const std::int32_t first = list.first[i], last = first + list.steps[i];
+            const auto z = [&](std::uint32_t v) { return memory.corner[v].z; };
+            box = {triangle, low(first), high(first), low(last), high(last),
+                std::min({z(index.x), z(index.y), z(index.z)})};
+        }
         for_tiles(box, memory, [&](int tx, int ty) { ++counts[ty * memory.tiles_x + tx]; });
         ++count.in_view;
     }
@@ -83,12 +140,18 @@ struct Search {
     /// From samples to places, and counts them by tile.
     void place_fragments(std::uint32_t first)
     {
-        for (std::uint32_t k = first; k < count.fragments; ++k) {
-            const std::uint32_t at = found.place[k];
-            const std::uint32_t place =
-                memory.column_place[at & 0xFFFF] + memory.row_place[at >> 16];
-            found.place[k] = place;
-            ++fragment_counts[place >> 16];
+        const Marks d;
+        const Places places(memory);
+        for (std::uint32_t k = first; k < count.fragments; k += std::uint32_t(hn::Lanes(d))) {
+            const auto place = places.of(hn::LoadU(d, found.place + k));
+            hn::StoreU(place, d, found.place + k);
+            const std::uint32_t left = std::min(count.fragments - k, std::uint32_t(hn::Lanes(d)));
+            if (are_in_one_tile(place, left)) {
+                fragment_counts[hn::GetLane(place) >> 16] += left;
+            } else {
+                for (std::uint32_t n = k; n < k + left; ++n)
+                    ++fragment_counts[found.place[n] >> 16];
+            }
         }
     }
 
@@ -100,15 +163,15 @@ struct Search {
         const std::uint32_t before = count.fragments;
         const int lanes = int(hn::Lanes(d));
         for (int i = 0; i < triangles; i += lanes)
-            count.fragments = cover_tiny<kSide, kDepths>(d, list, corners, i,
-                std::min(lanes, triangles - i), float(memory.pencil.x0), float(memory.pencil.y0),
-                found, count.fragments);
+            count.fragments =
+                cover_tiny<kSide, kDepths>(d, list, corners, i, std::min(lanes, triangles - i),
+                    float(memory.pencil.x0), float(memory.pencil.y0), found, count.fragments);
         place_fragments(before);
         count.tiny += std::uint32_t(triangles);
         for (int i = 0; i < triangles; ++i) {
             if (!corners.open[i]) [[likely]]
                 continue;
-            keep(list.triangle[i]);
+            keep(list, i);
             --count.tiny;
         }
     }
@@ -118,9 +181,8 @@ struct Search {
     void flush(TinyList& list, bool all)
     {
         const int triangles = all ? list.count : TinyList::kFull;
-        const bool room = count.fragments + std::uint32_t(kSide * kSide * triangles) +
-                              std::uint32_t(hn::Lanes(TinyItems())) <=
-                          memory.found_room;
+        const int most = kSide * kSide * triangles + int(hn::Lanes(Marks())); // in whole registers
+        const bool room = count.fragments + std::uint32_t(most) <= memory.found_room;
         bool done = false;
         if constexpr (kSide > 0) {
             done = room;
@@ -129,7 +191,7 @@ struct Search {
             else if (room)
                 cover<kSide, false>(TinyItems(), list, triangles);
         }
-        for (int i = 0; i < triangles && !done; ++i) keep(list.triangle[i]);
+        for (int i = 0; i < triangles && !done; ++i) keep(list, i);
         list.count -= triangles;
         std::copy_n(list.triangle + triangles, list.count, list.triangle);
         std::copy_n(list.first + triangles, list.count, list.first);
@@ -138,8 +200,8 @@ struct Search {
 };
 
 /// Appends the lanes of the mask, and asks for their corners' memory.
-HWY_INLINE void append(hn::Vec<Words> triangle, hn::Vec<Words> first,
-    hn::Vec<Words> steps, hn::Mask<Words> mask, TinyList& list)
+HWY_INLINE void append(hn::Vec<Words> triangle, hn::Vec<Words> first, hn::Vec<Words> steps,
+    hn::Mask<Words> mask, TinyList& list)
 {
     const Words d;
     const hn::RebindToUnsigned<Words> du;
@@ -158,8 +220,8 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
     const std::size_t tiles = std::size_t(memory.tiles()), found = range * memory.found_room;
     Search search{memory, kind, &memory.cursor[range * tiles],
         &memory.fragment_cursor[range * tiles], &memory.in_view[first],
-        {memory.found_place.data() + found, memory.found_triangle.data() + found,
-            memory.found_w.data() + found},
+        {memory.found.place.data() + found, memory.found.triangle.data() + found,
+            memory.found.w.data() + found},
         {}, {}, {}, {}, {}};
     std::fill_n(search.counts, tiles, 0u);
     std::fill_n(search.fragment_counts, tiles, 0u);
@@ -191,8 +253,8 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
             const auto holds = hn::Gt(hn::Min(steps_x, steps_y), minus_one);
             const auto seen = hn::And(hn::FirstN(d, count - i), hn::Or(behind, holds));
             if (hn::AllFalse(d, seen)) continue;
-            const auto inner = hn::And(hn::Gt(hn::Min(x0, y0), zero),
-                hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
+            const auto inner = hn::And(
+                hn::Gt(hn::Min(x0, y0), zero), hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
             const auto side = hn::Max(steps_x, steps_y);
             const auto at_most = [&](int n) {
                 return hn::And(hn::And(seen, inner), hn::Lt(side, hn::Set(d, any_tiny ? n : 0)));
@@ -200,12 +262,12 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
             const auto is_tiny = at_most(2), is_small = hn::AndNot(is_tiny, at_most(4));
             const auto triangle =
                 hn::Add(hn::Set(d, std::int32_t(t + i)), hn::Iota(d, std::int32_t(0)));
-            const auto begin = hn::Or(x0, hn::ShiftLeft<16>(y0));
+            const auto begin = hn::Or(x0, hn::ShiftLeft<16>(y0)); // < 0: behind
             const auto steps = hn::Or(steps_x, hn::ShiftLeft<16>(steps_y));
             append(triangle, begin, steps, is_tiny, search.tiny);
             append(triangle, begin, steps, is_small, search.small);
-            append(triangle, begin, steps, hn::AndNot(hn::Or(is_tiny, is_small), seen),
-                search.other);
+            append(
+                triangle, begin, steps, hn::AndNot(hn::Or(is_tiny, is_small), seen), search.other);
         }
         if (search.tiny.count >= TinyList::kFull) search.flush<2>(search.tiny, false);
         if (search.small.count >= TinyList::kFull) search.flush<4>(search.small, false);
@@ -217,6 +279,32 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
     memory.range_count[range] = search.count;
 }
 
+void scatter(std::size_t range, ViewMemory& memory)
+{
+    const Marks d;
+    const std::uint32_t lanes = std::uint32_t(hn::Lanes(d));
+    std::uint32_t* HWY_RESTRICT cursor =
+        &memory.fragment_cursor[range * std::size_t(memory.tiles())];
+    const std::size_t first = range * memory.found_room;
+    const std::uint32_t* HWY_RESTRICT place = memory.found.place.data() + first;
+    const std::uint32_t* HWY_RESTRICT triangle = memory.found.triangle.data() + first;
+    const float* HWY_RESTRICT w = memory.found.w.data() + first;
+    Fragment* HWY_RESTRICT to = memory.fragment.data();
+    const std::uint32_t count = memory.range_count[range].fragments;
+    for (std::uint32_t k = 0; k < count; k += lanes) {
+        const auto places = hn::LoadU(d, place + k);
+        if (k + lanes <= count && are_in_one_tile(places, lanes)) {
+            std::uint32_t& at = cursor[place[k] >> 16];
+            hn::StoreInterleaved3(places, hn::LoadU(d, triangle + k),
+                hn::BitCast(d, hn::LoadU(hn::Rebind<float, Marks>(), w + k)), d, &to[at].place);
+            at += lanes;
+        } else {
+            for (std::uint32_t n = k; n < std::min(count, k + lanes); ++n)
+                to[cursor[place[n] >> 16]++] = {place[n], triangle[n], w[n]};
+        }
+    }
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace firsthit
@@ -226,10 +314,16 @@ HWY_AFTER_NAMESPACE();
 namespace firsthit {
 
 HWY_EXPORT(find_range);
+HWY_EXPORT(scatter);
 
 void find_in_view(std::size_t range, TinyTriangles tiny, ViewMemory& memory)
 {
     HWY_DYNAMIC_DISPATCH(find_range)(range, tiny, memory);
+}
+
+void scatter_fragments(std::size_t range, ViewMemory& memory)
+{
+    HWY_DYNAMIC_DISPATCH(scatter)(range, memory);
 }
 
 } // namespace firsthit

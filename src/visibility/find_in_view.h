@@ -20,6 +20,9 @@ inline constexpr std::size_t kTriangleRange = 8192;
 /// Fills in_view and found of a range, and counts both by tile in cursor and fragment_cursor.
 void find_in_view(std::size_t range, TinyTriangles tiny, ViewMemory& memory);
 
+/// Copies a range's fragments to their tiles, from where fragment_cursor says.
+void scatter_fragments(std::size_t range, ViewMemory& memory);
+
 /// Calls f(tile) for the tiles that a box meets.
 template <class F>
 inline void for_tiles(const InView& box, const ViewMemory& memory, const F& f)

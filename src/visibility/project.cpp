@@ -63,11 +63,9 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto zd = hn::PromoteTo(d, hn::IfThenElse(in_front, z, hn::Set(f, 1.0f)));
     const auto xd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, x));
     const auto yd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, y));
-    const auto column =
-        place_among(hn::Sub(hn::Div(xd, zd), hn::Set(d, pencil.x0)), pencil.width);
+    const auto column = place_among(hn::Sub(hn::Div(xd, zd), hn::Set(d, pencil.x0)), pencil.width);
     const auto row = place_among(hn::Sub(hn::Div(yd, zd), hn::Set(d, pencil.y0)), pencil.height);
-    const auto places =
-        hn::Or(hn::DemoteTo(w, column), hn::ShiftLeft<16>(hn::DemoteTo(w, row)));
+    const auto places = hn::Or(hn::DemoteTo(w, column), hn::ShiftLeft<16>(hn::DemoteTo(w, row)));
     const auto samples = hn::IfThenElse(
         hn::RebindMask(w, in_front), places, hn::Set(w, VertexSamples::kBehind & 0xFFFF));
     hn::StoreInterleaved4(x, y, z, hn::BitCast(f, samples), f, corner);

@@ -53,7 +53,7 @@ struct TinyCorners {
 };
 
 /// Where covered samples are written: a register at a time, so beyond the last.
-struct FoundFragments {
+struct FragmentTarget {
     std::uint32_t* place; // x | y << 16
     std::uint32_t* triangle;
     float* w;
@@ -103,7 +103,7 @@ HWY_INLINE V determinant(V p, V q, V r, V s)
 /// returns  the number of fragments found, with those before
 template <int kSide, bool kDepths, class D>
 HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corners, int i,
-    int count, float x0, float y0, const FoundFragments& found, std::uint32_t at)
+    int count, float x0, float y0, const FragmentTarget& found, std::uint32_t at)
 {
     constexpr bool kFused = !kDepths && kFuses;
     constexpr int kSamples = kSide * kSide;
@@ -182,8 +182,7 @@ HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corn
             open = hn::Or(open, hn::AndNot(hn::Or(certain, missed), has));
         }
     }
-    hn::Store(
-        hn::IfThenElseZero(hn::RebindMask(du, open), hn::Set(du, 1)), du, corners.open + i);
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(du, open), hn::Set(du, 1)), du, corners.open + i);
 
     const auto triangle = hn::Load(du, list.triangle + i);
     const auto place = hn::BitCast(du, first);

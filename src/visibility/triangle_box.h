@@ -28,7 +28,8 @@ inline bool box_of(
         if (found) box = *found;
         return found.has_value();
     }
-    const int x0 = VertexSamples::first(least_x), y0 = VertexSamples::first(std::min({p.y, q.y, r.y}));
+    const int x0 = VertexSamples::first(least_x),
+              y0 = VertexSamples::first(std::min({p.y, q.y, r.y}));
     const int x1 = VertexSamples::last(std::max({p.x, q.x, r.x}));
     const int y1 = VertexSamples::last(std::max({p.y, q.y, r.y}));
     if (x0 > x1 || y0 > y1) return false;

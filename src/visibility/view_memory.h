@@ -40,11 +40,24 @@ struct TileEntry {
     float nearest_z;
 };
 
-/// A sample that a tiny triangle is certain to cover. 12 bytes.
+/// A sample that a tiny triangle covers for certain. 12 bytes.
 struct Fragment {
-    std::uint32_t offset; // in the tile, see tile_order.h
+    std::uint32_t place; // tile << 16 | offset in the tile, see tile_order.h
     std::uint32_t triangle;
     float w; // 1/t
+};
+
+/// Fragments in the order in which they are found, structure of arrays.
+struct FoundFragments {
+    Buffer<std::uint32_t> place, triangle;
+    Buffer<float> w;
+
+    void resize(std::size_t count)
+    {
+        place.resize(count);
+        triangle.resize(count);
+        w.resize(count);
+    }
 };
 
 /// What a range of triangles found.
@@ -64,20 +77,16 @@ struct ViewMemory {
     Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
     Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
     Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
-    Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
-    Buffer<RangeCount> range_count;    // (ranges)
-    Buffer<std::uint32_t> cursor;      // (ranges, tiles)
-    Buffer<std::uint8_t> tile_of;      // sample -> tile number on one axis
+    Buffer<std::uint32_t> tile_start; // (tiles + 1) into entry
+    Buffer<RangeCount> range_count;   // (ranges)
+    Buffer<std::uint32_t> cursor;     // (ranges, tiles)
+    Buffer<std::uint8_t> tile_of;     // sample -> tile number on one axis
 
-    std::uint32_t found_room = 0;         // fragments for which a range has room
-    Buffer<std::uint32_t> found_place;    // (ranges, room): tile << 16 | offset; each range fills the
-    Buffer<std::uint32_t> found_triangle; // start of its part
-    Buffer<float> found_w;
+    std::uint32_t found_room = 0;          // fragments for which a range has room
+    FoundFragments found;                  // (ranges, room); each range fills the start of its part
     Buffer<Fragment> fragment;             // (fragments) by tile, then by range
     Buffer<std::uint32_t> fragment_start;  // (tiles + 1) into fragment
     Buffer<std::uint32_t> fragment_cursor; // (ranges, tiles)
-    Buffer<std::uint32_t> column_place;    // of a sample's column and row: a place is the sum
-    Buffer<std::uint32_t> row_place;
 
     std::uint64_t in_view_count = 0; // triangles that may hit a sample
     std::uint64_t entry_count = 0;
