@@ -265,6 +265,7 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
             const auto begin = hn::Or(x0, hn::ShiftLeft<16>(y0)); // < 0: behind
             const auto steps = hn::Or(steps_x, hn::ShiftLeft<16>(steps_y));
             append(triangle, begin, steps, is_tiny, search.tiny);
+            if (hn::AllTrue(d, hn::Or(is_tiny, hn::Not(seen)))) continue;
             append(triangle, begin, steps, is_small, search.small);
             append(
                 triangle, begin, steps, hn::AndNot(hn::Or(is_tiny, is_small), seen), search.other);

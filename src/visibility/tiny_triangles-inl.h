@@ -150,6 +150,7 @@ HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corn
     }
     hn::Mask<D> covered[kSamples];
     V depth[kSamples];
+#pragma GCC unroll 16
     for (int k = 0; k < kSamples; ++k) {
         const int column = k % kSide, row = k / kSide;
         const auto has = hn::And(has_column[column], has_row[row]);
@@ -187,6 +188,7 @@ HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corn
     const auto triangle = hn::Load(du, list.triangle + i);
     const auto place = hn::BitCast(du, first);
     const V least_w = hn::Div(set(1.0f), farthest), most_w = hn::Div(set(1.0f), nearest);
+#pragma GCC unroll 16
     for (int k = 0; k < kSamples; ++k) {
         const auto mask = hn::AndNot(open, covered[k]);
         const auto whole = hn::RebindMask(du, mask);
