@@ -9,11 +9,13 @@
 //
 // Let u = 2^-24, mx and my the largest |x| and |y|, Z the largest z, n the largest i or j. Products
 // have an error of 3 u, their difference of 4 u, i gx one more, the two sums 2 u: |computed e - e| <=
-// 12 u R, R = mx my + n Z (mx + my). Where all three are beyond 16 u R = E on one side, the sample is hit, since the volume is the
-// sum of the edges times the opposite corners' z. With S the sum of edges, 1/t = S / sum(e z): the
-// weights e / S are wrong by at most 4.5 E / (|S| - 3 E) together, and the depth by that times the
-// triangle's extent in z; six more roundings. All below kDepthError = 24 u where
-// 5 R (Z - least z) <= (|S| - 3 E) * least z.
+// 12 u R, R = mx my + n Z (mx + my). Where all three are beyond 16 u R = E on one side, the sample
+// is hit, since the volume is the sum of the edges times the opposite corners' z; where one is beyond
+// E and one beyond -E, it is missed.
+//
+// With S the sum of edges, 1/t = S / sum(e z): the weights e / S are wrong by at most 4.5 E / |S|
+// together, and the depth by that times the triangle's extent in z; six more roundings. All is below
+// kDepthError = 24 u where 5 R (Z - least z) <= (|S| - 3 E) least z.
 //
 // Depths within [2^-30, 2^30] keep products far from overflow; what underflow or flushing takes
 // away is less than 2^-90.
