@@ -6,6 +6,7 @@
 // so that a vertex needs tables by column (made once), two numbers by row (made once a row and
 // frame), and no sine of its own. The normal is (-dy/dx, 1, -dy/dz), made unit.
 #include "scene/builtin.h"
+#include "scene/wave_kernel.h"
 
 #include <firsthit/error.h>
 
@@ -35,7 +36,7 @@ constexpr std::array<Wave, 3> kWaves{{
     {0.045, -2.6, 6.3, 11 * kTurn},
     {0.018, 9.7, 7.9, -16 * kTurn},
 }};
-constexpr std::size_t kRun = 64; // columns at once, enough for full registers
+static_assert(kWaves.size() == kWaveCount);
 
 struct Column {
     std::array<std::vector<float>, kWaves.size()> sine; // of a x, by column
@@ -63,11 +64,10 @@ double place(std::size_t i, std::size_t n)
     return kSize * (static_cast<double>(i) / static_cast<double>(n) - 0.5);
 }
 
-/// Padded to whole runs.
 Column make_columns(std::uint32_t columns)
 {
     Column made;
-    const std::size_t padded = (std::size_t(columns) + 1 + kRun - 1) / kRun * kRun;
+    const std::size_t padded = std::size_t(columns) + 1 + kWavePadding;
     made.x.resize(padded);
     for (std::size_t c = 0; c < padded; ++c) made.x[c] = static_cast<float>(place(c, columns));
     for (std::size_t k = 0; k < kWaves.size(); ++k) {
@@ -81,57 +81,18 @@ Column make_columns(std::uint32_t columns)
     return made;
 }
 
-/// What a row's vertices share at one time.
-struct Row {
-    float z = 0;
-    std::array<float, kWaves.size()> p{}; // A cos(b z + w t)
-    std::array<float, kWaves.size()> q{}; // A sin(b z + w t)
-};
-
-Row make_row(double z, double time_s)
+WaveRow make_row(double z, double time_s)
 {
-    Row row;
+    WaveRow row;
     row.z = static_cast<float>(z);
     for (std::size_t k = 0; k < kWaves.size(); ++k) {
         const double angle = kWaves[k].b * z + kWaves[k].w * time_s;
         row.p[k] = static_cast<float>(kWaves[k].amplitude * std::cos(angle));
         row.q[k] = static_cast<float>(kWaves[k].amplitude * std::sin(angle));
+        row.a[k] = static_cast<float>(kWaves[k].a);
+        row.b[k] = static_cast<float>(kWaves[k].b);
     }
     return row;
-}
-
-/// Heights and normals of kRun columns from `column` on: loops of fixed length over plain arrays,
-/// which compilers turn into SIMD.
-struct Run {
-    float y[kRun];
-    float nx[kRun];
-    float ny[kRun];
-    float nz[kRun];
-};
-
-void fill_run(const Column& table, const Row& row, std::size_t column, Run& run)
-{
-    for (std::size_t i = 0; i < kRun; ++i) run.y[i] = run.nx[i] = run.nz[i] = 0.0f;
-    for (std::size_t k = 0; k < kWaves.size(); ++k) {
-        const float* const sine = table.sine[k].data() + column;
-        const float* const cosine = table.cosine[k].data() + column;
-        const float p = row.p[k];
-        const float q = row.q[k];
-        const auto a = static_cast<float>(kWaves[k].a);
-        const auto b = static_cast<float>(kWaves[k].b);
-        for (std::size_t i = 0; i < kRun; ++i) {
-            run.y[i] += sine[i] * p + cosine[i] * q;
-            const float slope = cosine[i] * p - sine[i] * q;
-            run.nx[i] -= a * slope;
-            run.nz[i] -= b * slope;
-        }
-    }
-    for (std::size_t i = 0; i < kRun; ++i) {
-        const float length = std::sqrt(run.nx[i] * run.nx[i] + run.nz[i] * run.nz[i] + 1.0f);
-        run.ny[i] = 1.0f / length;
-        run.nx[i] *= run.ny[i];
-        run.nz[i] *= run.ny[i];
-    }
 }
 
 Deform make_deform(Grid grid)
@@ -141,18 +102,19 @@ Deform make_deform(Grid grid)
     return [table, grid](double time_s, std::size_t first, std::size_t last, glm::vec3* position,
                glm::vec3* normal) {
         const std::size_t width = std::size_t(grid.columns) + 1;
-        Run run;
+        WaveColumns columns{.x = table->x.data(), .sine = {}, .cosine = {}};
+        for (std::size_t k = 0; k < kWaves.size(); ++k) {
+            columns.sine[k] = table->sine[k].data();
+            columns.cosine[k] = table->cosine[k].data();
+        }
         for (std::size_t v = first; v < last;) {
             const std::size_t column = v % width;
-            const std::size_t row_end = std::min(last, v - column + width);
-            const Row row = make_row(place(v / width, grid.rows), time_s);
-            for (std::size_t c = column / kRun * kRun; v < row_end; c += kRun) {
-                fill_run(*table, row, c, run);
-                for (std::size_t i = v % width - c; i < kRun && v < row_end; ++i, ++v) {
-                    *position++ = {table->x[c + i], run.y[i], row.z};
-                    *normal++ = {run.nx[i], run.ny[i], run.nz[i]};
-                }
-            }
+            const std::size_t count = std::min(last - v, width - column);
+            const WaveRow row = make_row(place(v / width, grid.rows), time_s);
+            fill_wave(columns, row, column, count, position, normal);
+            v += count;
+            position += count;
+            normal += count;
         }
     };
 }

@@ -195,10 +195,22 @@ HWY_INLINE bool is_large(const TileEntry& entry, int half)
     return entry.x1 - entry.x0 >= half && entry.y1 - entry.y0 >= half;
 }
 
-void raster_depths(
-    const ViewMemory& view, std::span<const TileEntry> entries, float x0, float y0, DepthTile& tile)
+/// Stores fragments [first, last) of the view.
+void merge(const ViewMemory& view, std::size_t first, std::size_t last, DepthTile& tile)
 {
+    float* HWY_RESTRICT w = tile.w.data();
+    for (const Fragment& fragment : view.fragment.span().subspan(first, last - first)) {
+        float& stored = w[fragment.place & 0xFFFF];
+        stored = std::max(stored, fragment.w);
+    }
+}
+
+void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y0, DepthTile& tile)
+{
+    const auto entries = view.entry.span().subspan(
+        view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
     std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
+    merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
     // Large triangles first: what they hide changes no depth and is left out, as all behind a roof.
     const int half = view.tile_size / 2;
     bool any_large = false;
@@ -252,12 +264,9 @@ void resize(DepthTile& tile, int size)
 void raster_depth(const ViewMemory& view, int tile, DepthTile& out)
 {
     const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
-    const std::uint32_t first = view.tile_start[std::size_t(tile)];
-    const std::uint32_t last = view.tile_start[std::size_t(tile) + 1];
     HWY_DYNAMIC_DISPATCH(raster_depths)
-    (view, view.entry.span().subspan(first, last - first),
-        float(view.pencil.x0 + tx * view.tile_size), float(view.pencil.y0 + ty * view.tile_size),
-        out);
+    (view, std::size_t(tile), float(view.pencil.x0 + tx * view.tile_size),
+        float(view.pencil.y0 + ty * view.tile_size), out);
 }
 
 } // namespace firsthit

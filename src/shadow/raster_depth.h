@@ -1,8 +1,8 @@
 // raster_depth.h - the depth of one tile of a shadow map.
 //
 // The item buffer's rasteriser names the triangle at each sample and settles what float leaves
-// open. A map needs neither: coverage is right to a millionth of a texel, and of two depths that
-// float cannot tell apart either will do.
+// open. A map needs neither: coverage is right to a millionth of a texel (of triangles that became
+// fragments, to a ten-thousandth), and of two depths that float cannot tell apart either will do.
 #pragma once
 
 #include "base/buffer.h"
@@ -42,7 +42,7 @@ void resize(DepthTile& tile, int size);
 /// cover the sample. The same bits on every instruction set, whatever the order of triangles.
 ///
 /// limits   triangles seen at grazing angles may err by as much as their own extent in depth, and
-///          reach a millionth of a texel beyond their edges
+///          reach as far beyond their edges as said above
 /// source   Williams 1978, "Casting Curved Shadows on Curved Surfaces"
 void raster_depth(const ViewMemory& view, int tile, DepthTile& out);
 

@@ -32,7 +32,7 @@ struct LazyMemory {
 /// name over all triangles, ties to the lowest id, kNoItem where none is hit: what raster_tile.h
 /// finds, whatever the number of threads.
 ///
-/// view     pencil, index, and corner and box from project_vertices
+/// view     pencil, index, and corner from project_vertices
 /// samples  in any order; may repeat
 /// items    (samples) is filled
 void find_listed_items(const ViewMemory& view, std::span<const ListedSample> samples,

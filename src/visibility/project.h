@@ -6,7 +6,7 @@
 
 namespace firsthit {
 
-/// Fills memory.corner and memory.box from world positions and memory.pencil. Eye space is rounded
+/// Fills memory.corner from world positions and memory.pencil. Eye space is rounded
 /// once from double, so equal positions get equal bits, on every instruction set.
 void project_vertices(std::span<const glm::vec3> position, ViewMemory& memory, Tasks& tasks);
 

@@ -65,7 +65,8 @@ HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, c
                 const auto least = hn::Min(hn::MulAdd(gx0, px, r0),
                     hn::Min(hn::MulAdd(gx1, px, r1), hn::MulAdd(gx2, px, r2)));
                 maybe = hn::Gt(least, maybe_from);
-                if (hn::AllFalse(d, maybe)) continue;
+                if constexpr (kWide)
+                    if (hn::AllFalse(d, maybe)) continue;
                 inside = hn::Gt(least, inside_from);
             }
             const int offset = tile.column_offset[x] + tile.row_offset[y];

@@ -129,9 +129,36 @@ void clear(ItemTile& tile)
     tile.counts = {};
 }
 
-void raster_entries(const ViewMemory& view, std::span<const TileEntry> entries, ItemTile& tile)
+/// Stores fragments [first, last) of the view where they are nearer than what is there.
+void merge(const ViewMemory& view, std::size_t first, std::size_t last, ItemTile& tile)
 {
+    if (first == last) return;
+    float* HWY_RESTRICT stored_w = tile.w.data();
+    std::uint32_t* HWY_RESTRICT stored_item = tile.item.data();
+    for (const Fragment& fragment : view.fragment.span().subspan(first, last - first)) {
+        const std::uint32_t offset = fragment.place & 0xFFFF, triangle = fragment.triangle;
+        const float w = fragment.w, stored = stored_w[offset];
+        const float ahead = w - stored, slack = stored * kDepthSlack;
+        const bool win = ahead > slack;
+        if (!win && !(ahead < -slack)) [[unlikely]] {
+            settle_fragment(view, tile, triangle, offset, w);
+            continue;
+        }
+        // Without a branch, which would often be guessed wrong.
+        stored_w[offset] = std::max(w, stored);
+        stored_item[offset] = win ? triangle : stored_item[offset];
+    }
+    for (int block = 0; block < tile.blocks(); ++block)
+        tile.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
+    refresh_blocks(tile);
+}
+
+void raster_entries(const ViewMemory& view, std::size_t number, ItemTile& tile)
+{
+    const auto entries = view.entry.span().subspan(
+        view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
     clear(tile);
+    merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
     for (std::size_t first = 0; first < entries.size(); first += ItemTile::kChunk) {
         const auto chunk =
             entries.subspan(first, std::min(ItemTile::kChunk, entries.size() - first));
@@ -179,9 +206,7 @@ void raster_tile(const ViewMemory& view, int tile, ItemTile& out)
     const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
     out.x0 = float(view.pencil.x0 + tx * view.tile_size);
     out.y0 = float(view.pencil.y0 + ty * view.tile_size);
-    const std::uint32_t first = view.tile_start[std::size_t(tile)];
-    const std::uint32_t last = view.tile_start[std::size_t(tile) + 1];
-    HWY_DYNAMIC_DISPATCH(raster_entries)(view, view.entry.span().subspan(first, last - first), out);
+    HWY_DYNAMIC_DISPATCH(raster_entries)(view, std::size_t(tile), out);
 }
 
 } // namespace firsthit

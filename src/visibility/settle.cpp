@@ -68,6 +68,16 @@ void settle_lanes(const ViewMemory& view, ItemTile& tile, int i, const Lanes& la
     }
 }
 
+void settle_fragment(
+    const ViewMemory& view, ItemTile& tile, std::uint32_t triangle, std::uint32_t offset, float w)
+{
+    const int block = int(offset) / kBlockSamples, inner = int(offset) % kBlockSamples;
+    const int x = block % tile.blocks_x() * kBlock + block_x(inner);
+    const int y = block / tile.blocks_x() * kBlock + block_y(inner);
+    propose(view, tile, triangle, corners_of(view, triangle), offset, w,
+        {tile.x0 + float(x), tile.y0 + float(y), 1.0f});
+}
+
 void settle_box(const ViewMemory& view, ItemTile& tile, int i)
 {
     const Batch& batch = tile.batch;

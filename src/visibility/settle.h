@@ -18,6 +18,11 @@ struct Lanes {
 void settle_lanes(const ViewMemory& view, ItemTile& tile, int i, const Lanes& lanes,
     std::uint64_t open, std::uint64_t inside, const float* w);
 
+/// A fragment whose w is too close to the tile's at that offset: compares exactly, and stores the
+/// nearer triangle.
+void settle_fragment(
+    const ViewMemory& view, ItemTile& tile, std::uint32_t triangle, std::uint32_t offset, float w);
+
 /// All samples of triangle i's box, each by exact arithmetic.
 void settle_box(const ViewMemory& view, ItemTile& tile, int i);
 

@@ -5,31 +5,36 @@
 #include "visibility/view_memory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace firsthit {
 
-/// Whether the triangle may hit a sample, and a box that holds all such: the corners' boxes decide
-/// in three loads and two minima (saturation is not needed: first <= 8192, minus_last <= 1).
+/// Whether the triangle may hit a sample, and a box that holds all such, from where its corners
+/// stand among the samples.
 ///
-/// corner  the triangle's entry of the index
+/// index  the triangle's entry of the index
 inline bool box_of(
-    std::uint32_t triangle, const glm::uvec3& corner, const ViewMemory& memory, InView& box)
+    std::uint32_t triangle, const glm::uvec3& index, const ViewMemory& memory, InView& box)
 {
-    const VertexBox &a = memory.box[corner.x], &b = memory.box[corner.y], &c = memory.box[corner.z];
-    const std::int16_t x0 = std::min({a.first_x, b.first_x, c.first_x});
-    const std::int16_t y0 = std::min({a.first_y, b.first_y, c.first_y});
-    const std::int16_t mx1 = std::min({a.minus_last_x, b.minus_last_x, c.minus_last_x});
-    const std::int16_t my1 = std::min({a.minus_last_y, b.minus_last_y, c.minus_last_y});
-    if (x0 == VertexBox::kBehind) [[unlikely]] {
-        const auto eye = [&](std::uint32_t v) { return glm::vec3(memory.corner[v]); };
+    const glm::vec4 &a = memory.corner[index.x], &b = memory.corner[index.y],
+                    &c = memory.corner[index.z];
+    const auto samples = [](const glm::vec4& v) { return std::bit_cast<VertexSamples>(v.w); };
+    const VertexSamples p = samples(a), q = samples(b), r = samples(c);
+    const std::int16_t least_x = std::min({p.x, q.x, r.x});
+    if (least_x == VertexSamples::kBehind) [[unlikely]] {
         const auto found =
-            careful_box(triangle, {eye(corner.x), eye(corner.y), eye(corner.z)}, memory.pencil);
+            careful_box(triangle, {glm::vec3(a), glm::vec3(b), glm::vec3(c)}, memory.pencil);
         if (found) box = *found;
         return found.has_value();
     }
-    if (x0 + mx1 > 0 || y0 + my1 > 0) return false;
-    box = {triangle, x0, y0, std::int16_t(-mx1), std::int16_t(-my1), std::min({a.z, b.z, c.z})};
+    const int x0 = VertexSamples::first(least_x),
+              y0 = VertexSamples::first(std::min({p.y, q.y, r.y}));
+    const int x1 = VertexSamples::last(std::max({p.x, q.x, r.x}));
+    const int y1 = VertexSamples::last(std::max({p.y, q.y, r.y}));
+    if (x0 > x1 || y0 > y1) return false;
+    box = {triangle, std::int16_t(x0), std::int16_t(y0), std::int16_t(x1), std::int16_t(y1),
+        std::min({a.z, b.z, c.z})};
     return true;
 }
 

@@ -12,20 +12,19 @@
 
 namespace firsthit {
 
-/// The samples that a vertex stands between, as what a triangle needs: the minimum of its three
-/// corners' boxes is its own box, and empty where first > last. The depth comes along, so that a
-/// triangle's nearest corner is known without another look. 12 bytes.
-struct VertexBox {
-    std::int16_t first_x; // first sample at or right of the vertex, in [0, width]; kBehind
-    std::int16_t first_y;
-    std::int16_t minus_last_x; // minus the last sample at or left of it, in [-(width - 1), 1]
-    std::int16_t minus_last_y;
-    float z; // in eye space
+/// Where a vertex stands among the samples, along x and y: 2 k + 1 on (or within rounding of) sample
+/// k, 2 k between the samples k - 1 and k, in [0, 2 width]. So a triangle's samples follow from the
+/// least and the most of its corners'. These are the bits of a corner's fourth coordinate.
+struct VertexSamples {
+    std::int16_t x, y;
 
-    /// In first_x: the vertex has no projection, its triangles take the careful way.
-    static constexpr std::int16_t kBehind = -1;
+    /// In x: the vertex has no projection, its triangles take the careful way.
+    static constexpr std::int16_t kBehind = -32768;
+
+    static constexpr int first(int least) { return least >> 1; }
+    static constexpr int last(int most) { return ((most + 1) >> 1) - 1; }
 };
-static_assert(sizeof(VertexBox) == 12);
+static_assert(sizeof(VertexSamples) == sizeof(float));
 
 /// A triangle that may hit a sample: its samples, ends included. 16 bytes.
 struct InView {
@@ -41,6 +40,33 @@ struct TileEntry {
     float nearest_z;
 };
 
+/// A sample that a tiny triangle covers for certain. 12 bytes.
+struct Fragment {
+    std::uint32_t place; // tile << 16 | offset in the tile, see tile_order.h
+    std::uint32_t triangle;
+    float w; // 1/t
+};
+
+/// Fragments in the order in which they are found, structure of arrays.
+struct FoundFragments {
+    Buffer<std::uint32_t> place, triangle;
+    Buffer<float> w;
+
+    void resize(std::size_t count)
+    {
+        place.resize(count);
+        triangle.resize(count);
+        w.resize(count);
+    }
+};
+
+/// What a range of triangles found.
+struct RangeCount {
+    std::uint32_t in_view;   // to be sorted into tiles
+    std::uint32_t tiny;      // done with: what they cover is among the fragments
+    std::uint32_t fragments; // of those
+};
+
 struct ViewMemory {
     Pencil pencil;
     int tile_size = 64;
@@ -48,16 +74,21 @@ struct ViewMemory {
     int tiles_y = 0;
     std::span<const glm::uvec3> index;
 
-    Buffer<glm::vec4> corner; // (V) eye space; w unused. See Pencil
-    Buffer<VertexBox> box;    // (V)
+    Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
     Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
     Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
-    Buffer<std::uint32_t> tile_start;  // (tiles + 1) into entry
-    Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
-    Buffer<std::uint32_t> cursor;      // (ranges, tiles)
-    Buffer<std::uint8_t> tile_of;      // sample -> tile number on one axis
+    Buffer<std::uint32_t> tile_start; // (tiles + 1) into entry
+    Buffer<RangeCount> range_count;   // (ranges)
+    Buffer<std::uint32_t> cursor;     // (ranges, tiles)
+    Buffer<std::uint8_t> tile_of;     // sample -> tile number on one axis
 
-    std::uint64_t in_view_count = 0;
+    std::uint32_t found_room = 0;          // fragments for which a range has room
+    FoundFragments found;                  // (ranges, room); each range fills the start of its part
+    Buffer<Fragment> fragment;             // (fragments) by tile, then by range
+    Buffer<std::uint32_t> fragment_start;  // (tiles + 1) into fragment
+    Buffer<std::uint32_t> fragment_cursor; // (ranges, tiles)
+
+    std::uint64_t in_view_count = 0; // triangles that may hit a sample
     std::uint64_t entry_count = 0;
 
     int tiles() const { return tiles_x * tiles_y; }

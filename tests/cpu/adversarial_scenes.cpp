@@ -1,4 +1,5 @@
 // adversarial_scenes.cpp - triangles that break rasterisers which are only nearly right.
+#include "cpu/adversarial_points.h"
 #include "cpu/adversarial_scenes.h"
 
 #include <algorithm>
@@ -8,51 +9,6 @@ namespace firsthit::test {
 namespace {
 
 using glm::vec3;
-
-float uniform(std::mt19937& random, float low, float high)
-{
-    return std::uniform_real_distribution<float>(low, high)(random);
-}
-
-int whole(std::mt19937& random, int low, int high)
-{
-    return std::uniform_int_distribution<int>(low, high)(random);
-}
-
-/// The point that projects to (x, y) pixels from the picture's centre at depth z.
-vec3 at(float x, float y, float z)
-{
-    return {x * z / kSize, y * z / kSize, z};
-}
-
-vec3 random_at(std::mt19937& random, float half = 30, float near = 1, float far = 9)
-{
-    return at(
-        uniform(random, -half, half), uniform(random, -half, half), uniform(random, near, far));
-}
-
-/// A grid of quads, split at random, over points made by `point(i, j)`, i and j in [0, n].
-template <class F>
-void add_grid(TestWorld& world, std::mt19937& random, int n, const F& point)
-{
-    const auto first = std::uint32_t(world.world.position.size());
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) world.world.position.push_back(point(i, j));
-    const auto vertex = [&](int i, int j) { return first + std::uint32_t(j * (n + 1) + i); };
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
-                                d = vertex(i, j + 1);
-            if (random() & 1) {
-                world.scene->index.push_back({a, b, c});
-                world.scene->index.push_back({a, c, d});
-            } else {
-                world.scene->index.push_back({a, b, d});
-                world.scene->index.push_back({b, c, d});
-            }
-        }
-    }
-}
 
 std::vector<AdversarialScene> make_scenes()
 {
@@ -261,6 +217,7 @@ std::vector<AdversarialScene> make_scenes()
                 at(uniform(r, 0, 60), -30, z * 1.05f), at(uniform(r, -30, 30), 60, z * .95f));
         }
     });
+    add_tiny_scenes(scenes);
     return scenes;
 }
 

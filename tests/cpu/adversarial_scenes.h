@@ -21,4 +21,7 @@ inline constexpr int kSize = 48;
 /// Each fills a world seen by straight_view(kSize, kSize, kSize): world x = eye x / kSize.
 const std::vector<AdversarialScene>& adversarial_scenes();
 
+/// Those of triangles about as large as a pixel.
+void add_tiny_scenes(std::vector<AdversarialScene>& scenes);
+
 } // namespace firsthit::test

@@ -30,6 +30,16 @@ TEST(MeshFile, MakesAFanOfAFaceAroundItsFirstCorner)
     EXPECT_EQ(corner(scene, 2, 2), glm::vec3(1, 0, 0));
 }
 
+TEST(MeshFile, NumbersVerticesInOrderOfFirstUse)
+{
+    const Scene scene = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 3 4 2\nf 4 1 2\n", ".obj");
+    ASSERT_EQ(scene.triangle_count(), 2u);
+    EXPECT_EQ(scene.index[0], glm::uvec3(0, 1, 2));
+    EXPECT_EQ(scene.index[1], glm::uvec3(1, 3, 2));
+    EXPECT_EQ(corner(scene, 0, 0), glm::vec3(1, 1, 0));
+    EXPECT_EQ(corner(scene, 1, 1), glm::vec3(0, 0, 0));
+}
+
 TEST(MeshFile, KeepsTheFileOrderOfObjFacesOverObjectsGroupsAndMaterials)
 {
     // Triangle k has its first corner at x = k; objects and materials come back.

@@ -14,7 +14,7 @@ namespace {
 struct Binned {
     ViewMemory memory;
 
-    Binned(const World& world, const View& view)
+    Binned(const World& world, const View& view, TinyTriangles tiny = TinyTriangles::items)
     {
         Tasks tasks(1);
         const View filled = checked(view);
@@ -26,7 +26,7 @@ struct Binned {
         for (std::size_t k = 0; k < memory.tile_of.size(); ++k)
             memory.tile_of[k] = std::uint8_t(k / 16);
         project_vertices(world.position, memory, tasks);
-        bin_triangles(world.scene->index, memory, tasks);
+        bin_triangles(world.scene->index, memory, tasks, tiny);
     }
 };
 
@@ -63,11 +63,69 @@ TEST(BinTriangles, HoldsEverySampleThatATriangleHits)
                         y % 16 <= entry.y1)
                         listed[entry.triangle] = true;
                 }
+                const std::uint32_t* start = &binned.memory.fragment_start[std::size_t(tile)];
+                const int place = tile << 16 | tile_offset(x % 16, y % 16, 16);
+                for (std::uint32_t f = start[0]; f < start[1]; ++f)
+                    if (int(binned.memory.fragment[f].place) == place)
+                        listed[binned.memory.fragment[f].triangle] = true;
                 for (std::size_t t = 0; t < listed.size(); t += 3) // a third is enough
                     EXPECT_TRUE(listed[t] || !is_hit(eye.triangles[t], eye.ray(x, y), effort));
             }
         }
     });
+}
+
+/// Items of all tiles, tile by tile.
+std::vector<std::uint32_t> items_of_tiles(const Binned& binned)
+{
+    const auto tile = std::make_unique<ItemTile>();
+    resize(*tile, 16);
+    std::vector<std::uint32_t> items;
+    for (int number = 0; number < binned.memory.tiles(); ++number) {
+        raster_tile(binned.memory, number, *tile);
+        items.insert(items.end(), tile->item.span().begin(), tile->item.span().end());
+    }
+    return items;
+}
+
+TEST(TinyTriangles, GiveTheItemsThatEntriesGive)
+{
+    const View view = straight_view(kSize, kSize, kSize);
+    for_adversarial_worlds([&](const World& world) {
+        EXPECT_EQ(items_of_tiles(Binned(world, view)),
+            items_of_tiles(Binned(world, view, TinyTriangles::entries)));
+    });
+}
+
+TEST(TinyTriangles, BecomeEntriesWhereTheirSamplesFindNoRoom)
+{
+    const View view = straight_view(kSize, kSize, kSize);
+    TestWorld world; // ten samples each
+    for (int k = 0; k < 8000; ++k) {
+        const float z = 4 + float(k % 7) / 8, x = float(k % 40 - 20) + .3f,
+                    y = float(k / 40 % 40 - 20) + .3f;
+        const auto at = [&](float dx, float dy) {
+            return glm::vec3((x + dx) * z / kSize, (y + dy) * z / kSize, z);
+        };
+        world.add(at(0, 0), at(3.8f, 0), at(0, 3.8f));
+    }
+    world.finish();
+    const Binned binned(world.world, view);
+    EXPECT_GT(binned.memory.fragment.size(), 60000u);
+    EXPECT_GT(binned.memory.entry_count, 1000u);
+    EXPECT_EQ(
+        items_of_tiles(binned), items_of_tiles(Binned(world.world, view, TinyTriangles::entries)));
+}
+
+TEST(TinyTriangles, AreMostlyCertain)
+{
+    std::mt19937 random(1);
+    TestWorld world;
+    for (const AdversarialScene& scene : adversarial_scenes())
+        if (scene.name == "folded mesh") scene.fill(world, random);
+    world.finish();
+    const Binned binned(world.world, straight_view(kSize, kSize, kSize));
+    EXPECT_LT(binned.memory.entry_count, binned.memory.in_view_count / 4);
 }
 
 TEST(BinTriangles, LeavesOutWhatIsBehindOrBeside)

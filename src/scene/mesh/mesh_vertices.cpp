@@ -18,13 +18,31 @@ struct Values {
     std::vector<glm::vec2> uv;
 };
 
-bool uses_all(std::span<const glm::uvec3> index, std::size_t points)
-{
-    std::vector<bool> used(points, false);
-    for (const glm::uvec3& corners : index)
-        used[corners.x] = used[corners.y] = used[corners.z] = true;
-    return std::find(used.begin(), used.end(), false) == used.end();
-}
+/// New numbers of the points in order of first use, so that what is near in the index is near in
+/// memory; fewer than there are points where some are unused, whose number stays kUnused.
+struct UseOrder {
+    static constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
+
+    std::vector<std::uint32_t> number; // of each point
+    std::uint32_t used = 0;
+
+    UseOrder(std::span<const glm::uvec3> index, std::size_t points) : number(points, kUnused)
+    {
+        for (const glm::uvec3& corners : index)
+            for (int k = 0; k < 3; ++k)
+                if (std::uint32_t& n = number[corners[k]]; n == kUnused) n = used++;
+    }
+
+    bool uses_all() const { return used == number.size(); }
+
+    template <class T>
+    std::vector<T> ordered(const std::vector<T>& values) const
+    {
+        std::vector<T> moved(values.size());
+        for (std::size_t k = 0; k < values.size(); ++k) moved[number[k]] = values[k];
+        return moved;
+    }
+};
 
 /// Numbers a corner's normal: the file's where it has one, else the smooth one.
 /// returns  (3 T)
@@ -88,14 +106,18 @@ void make_vertices(RawMesh raw, double crease_angle_rad, Scene& scene)
     SmoothNormals smooth = smooth_normals(values.position, by_point, crease_angle_rad);
 
     // Where a vertex is a point, that is all.
-    if (smooth.one_a_point && raw.normal.empty() && raw.uv.empty() && scene.parts.size() == 1 &&
-        uses_all(by_point, values.position.size())) {
-        scene.position = std::move(values.position);
-        scene.normal = std::move(smooth.normal);
-        scene.index = std::move(by_point);
-        scene.vertices = scene.position.size();
-        scene.parts[0].vertex_count = static_cast<std::uint32_t>(scene.vertices);
-        return;
+    if (smooth.one_a_point && raw.normal.empty() && raw.uv.empty() && scene.parts.size() == 1) {
+        const UseOrder order(by_point, values.position.size());
+        if (order.uses_all()) {
+            scene.position = order.ordered(values.position);
+            scene.normal = order.ordered(smooth.normal);
+            for (glm::uvec3& corners : by_point)
+                for (int k = 0; k < 3; ++k) corners[k] = order.number[corners[k]];
+            scene.index = std::move(by_point);
+            scene.vertices = scene.position.size();
+            scene.parts[0].vertex_count = static_cast<std::uint32_t>(scene.vertices);
+            return;
+        }
     }
 
     // Otherwise vertices are what differs in position, normal or texture coordinates.
