@@ -113,8 +113,8 @@ std::optional<std::size_t> test_face_by_grid(const LightFace& face, const Sample
     const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     Stopwatch watch;
-    sort_into_grid(memory.samples.span(), memory.patches.span(), bounds, memory.mesh.index.size(),
-        points, memory.grid, tasks);
+    sort_into_grid(
+        memory.samples.span(), memory.patches.span(), bounds, points, memory.grid, tasks);
     memory.effort.sort_ms += watch.lap_ms();
     if (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded) return {};
     see_all_vertices(face, memory.mesh, tasks);

@@ -1,4 +1,4 @@
-// sample_grid.cpp - a counting sort of samples into coarse cells, then into cells of about eight.
+// sample_grid.cpp - a counting sort of samples into coarse cells, then into those of one coarse cell.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visibility/sample_grid.cpp"
 #include "base/simd.h"
@@ -155,7 +155,9 @@ HWY_EXPORT(place_corners);
 
 namespace {
 
-constexpr std::size_t kSpare = 16; // samples nowhere, for a register's end
+// Measured: with fewer a triangle meets too many cells, with more too many samples that it misses.
+constexpr std::uint32_t kCellSamples = 32; // at most wanted in a cell
+constexpr std::size_t kSpare = 16;         // samples nowhere, for a register's end
 constexpr std::size_t kAfter =
     (1 << kMostLevels) + 3; // cells after the last: a row, and neighbours
 constexpr std::size_t kAllCoarse = std::size_t(kCoarseCells) * kCoarseCells;
@@ -184,7 +186,7 @@ std::uint32_t inner_cell(std::uint32_t place, std::uint32_t level)
 }
 
 /// From counts (shares, coarse cells) to levels and first cells. Returns the number of cells.
-std::size_t divide_coarse(std::size_t shares, std::uint32_t cell_samples, SampleGrid& grid)
+std::size_t divide_coarse(std::size_t shares, SampleGrid& grid)
 {
     grid.coarse.resize(kAllCoarse);
     std::uint32_t next = 0;
@@ -192,7 +194,7 @@ std::size_t divide_coarse(std::size_t shares, std::uint32_t cell_samples, Sample
         std::uint32_t samples = 0, level = 0;
         for (std::size_t s = 0; s < shares; ++s)
             samples += grid.coarse_counts[s * kAllCoarse + cell];
-        while (level < std::uint32_t(kMostLevels) && samples >> (2 * level) > cell_samples) ++level;
+        while (level < std::uint32_t(kMostLevels) && samples >> (2 * level) > kCellSamples) ++level;
         grid.coarse[cell] = {next, std::uint16_t(level), 0};
         next += 1u << (2 * level);
     }
@@ -244,13 +246,6 @@ void move_samples(std::span<const IrregularSample> samples, std::span<const Samp
     }
 }
 
-/// Measured: with fewer a triangle meets too many cells, with more too many samples that it misses.
-std::uint32_t wanted_in_cell(std::size_t samples, std::size_t triangles)
-{
-    return std::uint32_t(
-        std::clamp<std::size_t>(8 * samples / std::max<std::size_t>(triangles, 1), 24, 64));
-}
-
 } // namespace
 
 void place_vertices(
@@ -260,16 +255,13 @@ void place_vertices(
 }
 
 void sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, std::size_t triangles, const LightPoints& points, SampleGrid& grid,
-    Tasks& tasks)
+    const SampleBounds& bounds, const LightPoints& points, SampleGrid& grid, Tasks& tasks)
 {
     grid.bounds = bounds;
     grid.axes = axes_of(bounds);
     const Shares shares(patches.size(), std::size_t(tasks.threads()));
     grid.cell_of.resize(samples.size() + kSpare);
     grid.coarse_counts.resize(shares.count * kAllCoarse);
-    std::size_t total = 0;
-    for (const SamplePatch& patch : patches) total += patch.range.count;
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &grid.coarse_counts[share * kAllCoarse];
         std::fill_n(counts, kAllCoarse, 0u);
@@ -281,7 +273,7 @@ void sort_into_grid(std::span<const IrregularSample> samples, std::span<const Sa
         }
     });
 
-    const std::size_t cells = divide_coarse(shares.count, wanted_in_cell(total, triangles), grid);
+    const std::size_t cells = divide_coarse(shares.count, grid);
     grid.cursor.resize(shares.count * cells, shares.count * cells / 4);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &grid.cursor[share * cells];

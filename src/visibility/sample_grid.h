@@ -3,7 +3,7 @@
 //
 // The samples' rectangle is cut into 64 x 64 coarse cells, and each of these, by how many samples it
 // holds, into 1 x 1 to 128 x 128 cells. A cell knows its farthest sample, and which of its 8 x 8 parts
-// hold any. Its samples lie in blocks of eight.
+// hold any. Its samples lie in blocks of sixteen.
 #pragma once
 
 #include "base/tasks.h"
@@ -36,7 +36,7 @@ inline constexpr std::uint32_t kNoSample = 0xFFFFFFFFu;
 /// Samples of one cell; the last block of a cell is filled up with kNoSample, mostly outside of all
 /// boxes. A depth that is no number is -inf here, infinitely far.
 struct alignas(64) GridBlock {
-    static constexpr std::uint32_t kSamples = 8;
+    static constexpr std::uint32_t kSamples = 16;
     float x[kSamples], y[kSamples], w[kSamples];
     std::uint32_t item[kSamples];
 };
@@ -48,7 +48,7 @@ struct SampleGrid {
     Buffer<CoarseCell> coarse; // (64 * 64)
     Buffer<GridCell> cells;    // after the last one a row of empty ones, and more
     Buffer<GridBlock> blocks;
-    Buffer<std::uint32_t> id; // (blocks, 8)
+    Buffer<std::uint32_t> id; // (blocks, 16)
     double crowding = 0;      // how many samples share the cell of a sample, on average
 
     // While sorting.
@@ -57,10 +57,8 @@ struct SampleGrid {
 };
 
 /// Sorts the samples of the patches.
-/// bounds     of all of them
-/// triangles  of the mesh: the fewer they are, the larger are the cells
+/// bounds  of all of them
 void sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, std::size_t triangles, const LightPoints& points, SampleGrid& grid,
-    Tasks& tasks);
+    const SampleBounds& bounds, const LightPoints& points, SampleGrid& grid, Tasks& tasks);
 
 } // namespace firsthit
