@@ -17,6 +17,9 @@ namespace firsthit::cli::bench {
 int run_bench(const BenchOptions& options)
 {
     check(options);
+    // A folder that cannot be made is said before minutes are spent.
+    const std::string folder = output_folder(options);
+    if (!folder.empty()) make_folder(folder);
     Report report;
     const Machine machine = describe_machine();
     report.json["machine"] = machine_json(machine);
@@ -28,7 +31,6 @@ int run_bench(const BenchOptions& options)
     report.page.heading("What this was measured on");
     report.add(machine_table(machine));
 
-    const std::string folder = output_folder(options);
     if (!folder.empty()) write_report(report, folder);
     const std::string json = to_text(report.json);
     if (options.json == "-")

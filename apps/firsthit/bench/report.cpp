@@ -13,13 +13,17 @@
 
 namespace firsthit::cli::bench {
 
-void write_report(const Report& report, const std::string& folder)
+void make_folder(const std::string& folder)
 {
-    const HoldInterrupts hold;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         throw FileError(fmt::format("{}: cannot make the folder: {}", folder, error.message()));
+}
+
+void write_report(const Report& report, const std::string& folder)
+{
+    const HoldInterrupts hold;
     const std::filesystem::path path(folder);
     write_file((path / "bench.json").string(), to_text(report.json));
     write_file((path / "index.html").string(), report.page.html());

@@ -20,7 +20,10 @@ struct Report {
     }
 };
 
-/// DIR/index.html and DIR/bench.json, each whole or not at all. The folder is made where it is missing.
+/// With the folders that it is in, where it is missing. throws  FileError
+void make_folder(const std::string& folder);
+
+/// DIR/index.html and DIR/bench.json, each whole or not at all, in a folder that is there.
 /// throws  FileError
 void write_report(const Report& report, const std::string& folder);
 
