@@ -103,12 +103,12 @@ std::vector<std::uint8_t> holes(const Film& film, const Film& exact)
     return hole;
 }
 
-/// With the marked pixels in red.
+/// With the marked pixels in magenta.
 Picture with_marks(Picture picture, std::span<const std::uint8_t> marks)
 {
-    constexpr std::array<std::uint8_t, 3> kRed = {255, 0, 40};
+    constexpr std::array<std::uint8_t, 3> kMagenta = {255, 0, 255};
     for (std::size_t k = 0; k < marks.size(); ++k)
-        if (marks[k]) std::copy(kRed.begin(), kRed.end(), &picture.rgb[3 * k]);
+        if (marks[k]) std::copy(kMagenta.begin(), kMagenta.end(), &picture.rgb[3 * k]);
     return picture;
 }
 
@@ -148,7 +148,7 @@ void show_artefacts(Studio& studio, const Artefacts& asked, Report& report, Json
                  fmt::format("{}; pixels missed: {}", asked.left, missed_bare)},
                 {extract(right, part),
                     fmt::format("{}; pixels missed: {}", asked.right, missed_repaired)}},
-            fmt::format("{} An extract, enlarged; missed pixels without a colour are red. The "
+            fmt::format("{} An extract, enlarged; missed pixels without a colour are magenta. The "
                         "counts are of "
                         "the whole picture of {}x{}, made by the hybrid engine. The cpu engine "
                         "misses none.",
