@@ -19,7 +19,6 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kQuad = 4; // pixels that lie side by side in the tile and in the row
-constexpr std::size_t kLine = 64 / sizeof(float);
 
 /// Four pixels.
 template <int kChannels>
@@ -40,45 +39,37 @@ HWY_INLINE void copy_quad(const float* const* from, std::size_t offset, float* t
     }
 }
 
-/// `width` pixels of a row of the tile, `offset` that of its first one.
+/// Four pixels past the caches; `to` is aligned to 16 bytes.
 template <int kChannels>
-HWY_INLINE void copy_row(const float* const* from, std::size_t offset, int width, float* to)
+HWY_INLINE void stream_quad(const float* const* from, std::size_t offset, float* to)
 {
-    const auto at = [&](int x) {
-        return offset + std::size_t(x / kBlock * kBlockSamples + block_offset(x % kBlock, 0));
-    };
-    int x = 0;
-    for (; x + kQuad <= width; x += kQuad, to += kQuad * kChannels)
-        copy_quad<kChannels>(from, at(x), to);
-    for (; x < width; ++x)
-        for (int c = 0; c < kChannels; ++c) *to++ = from[c][at(x)];
-}
-
-/// Whole lines of the cache past it; their neighbours share the others.
-HWY_INLINE void stream_row(const float* from, float* to, std::size_t count)
-{
-    const hn::CappedTag<float, kLine> d;
-    const std::size_t over = reinterpret_cast<std::uintptr_t>(to) / sizeof(float) % kLine;
-    std::size_t k = std::min((kLine - over) % kLine, count);
-    std::copy_n(from, k, to);
-    for (; k + kLine <= count; k += kLine)
-        for (std::size_t lane = 0; lane < kLine; lane += hn::Lanes(d))
-            hn::Stream(hn::LoadU(d, from + k + lane), d, to + k + lane);
-    std::copy_n(from + k, count - k, to + k);
+    const hn::CappedTag<float, kQuad> d;
+    alignas(64) float quad[kQuad * kChannels];
+    copy_quad<kChannels>(from, offset, quad);
+    for (std::size_t k = 0; k < kQuad * kChannels; k += hn::Lanes(d))
+        hn::Stream(hn::Load(d, quad + k), d, to + k);
 }
 
 template <int kChannels>
 void copy_channels(const PixelRect& rect, int film_width, int tile_size, const float* const* from,
     float* to, bool stream)
 {
-    alignas(64) float row[kMaxTile * kChannels];
     for (int y = 0; y < rect.height; ++y) {
-        const auto offset = std::size_t(tile_offset(0, y, tile_size));
         const auto pixel =
             std::size_t(rect.film_y + y) * std::size_t(film_width) + std::size_t(rect.film_x);
         float* film = to + pixel * kChannels;
-        copy_row<kChannels>(from, offset, rect.width, stream ? row : film);
-        if (stream) stream_row(row, film, std::size_t(rect.width) * kChannels);
+        const auto offset = [&](int x) { return std::size_t(tile_offset(x, y, tile_size)); };
+        // Lines that neighbouring tiles share are written in part: still faster than fetching them.
+        const bool past = stream && reinterpret_cast<std::uintptr_t>(film) % 16 == 0;
+        int x = 0;
+        for (; x + kQuad <= rect.width; x += kQuad, film += kQuad * kChannels) {
+            if (past)
+                stream_quad<kChannels>(from, offset(x), film);
+            else
+                copy_quad<kChannels>(from, offset(x), film);
+        }
+        for (; x < rect.width; ++x)
+            for (int c = 0; c < kChannels; ++c) *film++ = from[c][offset(x)];
     }
     if (stream) hwy::FlushStream(); // other threads see it in its turn
 }

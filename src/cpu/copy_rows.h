@@ -18,8 +18,8 @@ struct PixelRect {
 /// tile_size   pixels on a side
 /// from        a plane in tile order for each of 1 to 3 channels, aligned to 64 bytes
 /// to          (height, film_width, channels), aligned to 4 bytes
-/// stream      past the caches: where the film is larger than these, it would only push out of them
-///             what the next tile needs
+/// stream      past the caches, rows that are aligned to 16 bytes: where the film is larger than
+///             the caches, it would only push out of them what the next tile needs
 void copy_rows(const PixelRect& rect, int film_width, int tile_size,
     std::span<const float* const> from, float* to, bool stream);
 
