@@ -52,13 +52,22 @@ void scatter_range(std::size_t range, ViewMemory& memory)
     const InView* end = box + count.in_view;
     const int size = memory.tile_size;
     for (; box != end; ++box) {
-        for_tiles(*box, memory, [&](int tx, int ty) {
-            const auto local = [size](int sample, int tile) {
-                return std::uint8_t(std::clamp(sample - tile * size, 0, size - 1));
-            };
+        const auto place = [&](int tx, int ty, const auto& local) {
             memory.entry[cursor[ty * memory.tiles_x + tx]++] = {box->triangle, local(box->x0, tx),
                 local(box->y0, ty), local(box->x1, tx), local(box->y1, ty), box->nearest_z};
-        });
+        };
+        const int tx = memory.tile_of[std::size_t(box->x0)];
+        const int ty = memory.tile_of[std::size_t(box->y0)];
+        if (box->x1 < (tx + 1) * size && box->y1 < (ty + 1) * size) [[likely]] {
+            place(tx, ty,
+                [size](int sample, int tile) { return std::uint8_t(sample - tile * size); });
+        } else {
+            for_tiles(*box, memory, [&](int x, int y) {
+                place(x, y, [size](int sample, int tile) {
+                    return std::uint8_t(std::clamp(sample - tile * size, 0, size - 1));
+                });
+            });
+        }
     }
     scatter_fragments(range, memory);
 }
