@@ -5,6 +5,7 @@ function(firsthit_need name package)
         message(FATAL_ERROR "firsthit needs ${name}: apt-get install ${package}")
     endif()
     set(${name}_FOUND ${${name}_FOUND} PARENT_SCOPE)
+    set(${name}_VERSION ${${name}_VERSION} PARENT_SCOPE)
 endfunction()
 
 firsthit_need(glm libglm-dev)

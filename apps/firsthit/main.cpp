@@ -1,4 +1,5 @@
 // main.cpp - the program `firsthit`: parses, calls, reports.
+#include "bench/bench_command.h"
 #include "compare_command.h"
 #include "info_command.h"
 #include "occlusion_command.h"
@@ -24,6 +25,7 @@ constexpr const char* kFooter = R"(Examples:
   firsthit info bunny.stl
   firsthit compare builtin:torus --against brute --shadows exact
   firsthit occlusion bunny.stl --points points.npy --direction -1,-2,0.5 -o shade.npy
+  firsthit bench --paper -o report/
 
 `firsthit COMMAND --help` tells more. Exit codes: 0 done, 1 failed, 2 wrong usage.)";
 
@@ -45,22 +47,27 @@ int run(int argc, char** argv)
     InfoOptions info;
     CompareOptions compare;
     OcclusionOptions occlusion;
+    bench::BenchOptions bench;
     CLI::App* render_command = app.add_subcommand("render", "Make pictures and planes of a scene");
     CLI::App* info_command = app.add_subcommand("info", "Tell what is in a scene");
     CLI::App* compare_command = app.add_subcommand(
         "compare", "Hold visible triangles and shadows against another ray caster's");
     CLI::App* occlusion_command =
         app.add_subcommand("occlusion", "Find out which of given points the lights do not reach");
+    CLI::App* bench_command = app.add_subcommand(
+        "bench", "Measure frames, beside a paper's numbers and other ray casters");
     add_render_options(*render_command, render);
     add_info_options(*info_command, info);
     add_compare_options(*compare_command, compare);
     add_occlusion_options(*occlusion_command, occlusion);
+    add_bench_options(*bench_command, bench);
 
     try {
         app.parse(argc, argv);
         if (*render_command) return run_render(render);
         if (*info_command) return run_info(info);
         if (*occlusion_command) return run_occlusion(occlusion);
+        if (*bench_command) return run_bench(bench);
         return run_compare(compare);
     } catch (const CLI::CallForHelp&) {
         print(app.help());

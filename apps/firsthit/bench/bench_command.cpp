@@ -1,0 +1,51 @@
+// bench_command.cpp - `firsthit bench`: how fast, beside the paper's numbers and other ray casters.
+#include "bench/bench_command.h"
+
+#include "bench/machine.h"
+#include "bench/paper.h"
+#include "bench/peers.h"
+#include "bench/report.h"
+#include "interrupt.h"
+#include "output.h"
+
+#include <firsthit/file.h>
+
+#include <fmt/format.h>
+
+namespace firsthit::cli::bench {
+
+int run_bench(const BenchOptions& options)
+{
+    check(options);
+    // A folder that cannot be made is said before minutes are spent.
+    const std::string folder = output_folder(options);
+    if (!folder.empty()) make_folder(folder);
+    Report report;
+    const Machine machine = describe_machine();
+    report.json["machine"] = machine_json(machine);
+    report.json["quick"] = options.quick;
+    if (options.quick)
+        report.page.paragraph("Made with --quick: few small frames, whose numbers say nothing.");
+    if (options.paper) add_paper(options, report);
+    if (options.peers) add_peers(options, report);
+    report.page.heading("What this was measured on");
+    report.add(machine_table(machine));
+
+    if (!folder.empty()) write_report(report, folder);
+    const std::string json = to_text(report.json);
+    if (options.json == "-")
+        print(json);
+    else {
+        if (!options.json.empty()) {
+            const HoldInterrupts hold;
+            write_file(options.json, json);
+        }
+        if (!folder.empty())
+            report.text += fmt::format(
+                "The page is {}{}index.html\n", folder, folder.ends_with('/') ? "" : "/");
+        print(report.text);
+    }
+    return kExitDone;
+}
+
+} // namespace firsthit::cli::bench
