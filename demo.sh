@@ -70,3 +70,4 @@ picture animation builtin:robots --size 640x360 --frames 0:2:48 -o out/animation
 
 echo
 echo "the pictures are in out/, the animation in out/animation/"
+echo "$firsthit bench --paper measures the engines, in a minute or two"

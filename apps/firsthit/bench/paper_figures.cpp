@@ -77,11 +77,12 @@ void add_time_shares(const PaperMeasured& measured, Report& report, Json& json)
     report.page.add_plot(stacked_bars_svg(plot),
         fmt::format(
             "Medians by stage. Stages that run on all threads count as their mean over the "
-            "threads. \"waiting and the rest\": of the hybrid engine mostly rays that wait for "
-            "items. The paper draws its figure 8 without numbers and calls the item buffer "
-            "almost negligible; by its table 2 that is {:.1f} % of the frame, and it does not "
-            "say how the rest is divided. Its item buffer was made by another processor while "
-            "ours and the rays share the cores, unless OpenGL runs on hardware.",
+            "threads. \"waiting and the rest\" is what stages leave of the frame: threads that "
+            "wait for each other, and of the hybrid engine rays that wait for items. The paper "
+            "draws its figure 8 without numbers and calls the item buffer almost negligible; by "
+            "its table 2 that is {:.1f} % of the frame, and how the rest is divided is not told. "
+            "A graphics card drew its item buffer; a software driver takes the cores that the "
+            "rays want.",
             items));
     json["figure8"] = {{"bars", std::move(bars)}, {"paper_item_buffer_percent", items}};
 }

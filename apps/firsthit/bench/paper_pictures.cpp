@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace firsthit::cli::bench {
 
@@ -101,6 +103,15 @@ std::vector<std::uint8_t> holes(const Film& film, const Film& exact)
     return hole;
 }
 
+/// With the marked pixels in magenta.
+Picture with_marks(Picture picture, std::span<const std::uint8_t> marks)
+{
+    constexpr std::array<std::uint8_t, 3> kMagenta = {255, 0, 255};
+    for (std::size_t k = 0; k < marks.size(); ++k)
+        if (marks[k]) std::copy(kMagenta.begin(), kMagenta.end(), &picture.rgb[3 * k]);
+    return picture;
+}
+
 /// Figures 4 and 10: the same extract without and with multisampling.
 struct Artefacts {
     const char* key;
@@ -128,16 +139,19 @@ void show_artefacts(Studio& studio, const Artefacts& asked, Report& report, Json
         const Film repaired = studio.film(asked.scene, settings);
         const std::uint64_t missed_repaired = studio.renderer.stats().missed;
         const Film exact = studio.film(asked.scene, paper_way("cpu").settings);
-        const Region part =
-            densest_window(holes(bare, exact), bare.width, std::max(8, studio.side / 5));
+        const std::vector<std::uint8_t> bare_holes = holes(bare, exact);
+        Picture right = picture_of(repaired);
+        if (!asked.interpolate) right = with_marks(std::move(right), holes(repaired, exact));
+        const Region part = densest_window(bare_holes, bare.width, std::max(8, studio.side / 5));
         report.page.add_pictures(
-            {{extract(picture_of(bare), part),
-                 fmt::format("{}: {} pixels are missed", asked.left, missed_bare)},
-                {extract(picture_of(repaired), part),
-                    fmt::format("{}: {} pixels are missed", asked.right, missed_repaired)}},
-            fmt::format("{} An extract, enlarged; the counts are of the whole picture of {}x{}, "
-                        "hybrid engine. The "
-                        "cpu engine misses none.",
+            {{extract(with_marks(picture_of(bare), bare_holes), part),
+                 fmt::format("{}; pixels missed: {}", asked.left, missed_bare)},
+                {extract(right, part),
+                    fmt::format("{}; pixels missed: {}", asked.right, missed_repaired)}},
+            fmt::format("{} An extract, enlarged; missed pixels without a colour are magenta. The "
+                        "counts are of "
+                        "the whole picture of {}x{}, made by the hybrid engine. The cpu engine "
+                        "misses none.",
                 asked.caption, studio.side, studio.side));
         json[asked.key] = {{"pixels", studio.side * studio.side}, {"missed", missed_bare},
             {"missed_3x3", missed_repaired}};

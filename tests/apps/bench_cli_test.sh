@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# bench_cli_test.sh - `firsthit bench` as a user meets it. Usage: bench_cli_test.sh PROGRAM
+set -uo pipefail
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+checks=0
+failures=0
+
+fail()
+{
+    echo "FAILED: $1"
+    failures=$((failures + 1))
+}
+
+# expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr.
+expect()
+{
+    local code=$1 pattern=$2 actual=0
+    shift 2
+    timeout 300 "$program" bench "$@" >stdout 2>stderr </dev/null || actual=$?
+    checks=$((checks + 1))
+    [ "$actual" -eq "$code" ] || fail "firsthit bench $*: exit code $actual, not $code: $(head -c 300 stderr)"
+    grep -qE -- "$pattern" stdout stderr || \
+        fail "firsthit bench $*: no '$pattern' in: $(head -c 300 stdout stderr)"
+}
+
+# expect_files NAME... : exactly these beside what expect() writes, and removes them.
+expect_files()
+{
+    local found
+    found=$(find . -mindepth 1 ! -name stdout ! -name stderr -type f -printf '%P\n' | sort | tr '\n' ' ')
+    checks=$((checks + 1))
+    [ "$found" = "${*:+$* }" ] || fail "files: '$found', not '$*'"
+    find . -mindepth 1 ! -name stdout ! -name stderr -delete
+}
+
+# with_python SCRIPT FILE : Python's own readers, where there is a Python.
+with_python()
+{
+    command -v python3 >/dev/null || { echo "skipped: a check that needs python3"; return; }
+    checks=$((checks + 1))
+    python3 -c "$1" "$2" >python.log 2>&1 || fail "$2: $(tail -n 1 python.log)"
+    rm -f python.log
+}
+
+quick=(--quick --size 48x32 --scenes nowhere)
+
+expect 0 'Robert and Schoepke' --help
+expect 2 'nothing is asked for: say --paper, --peers or both'
+expect 2 'Run firsthit bench --help' --paper --fast
+expect 2 '--rounds' --paper --rounds 0
+expect 1 'nothing/Robot.aff: cannot be read' --paper --bart nothing/Robot.aff
+expect 1 'x.json' --paper --json nothing/x.json
+: >file
+expect 1 'is no folder' --paper -o file
+expect 1 'is no folder' --paper -o file/below
+expect_files file
+
+expect 0 'The page is out/deep/index.html' --paper "${quick[@]}" -o out/deep/
+grep -q 'Table 4' stdout || fail "the tables are not printed"
+grep -q 'nowhere/bunny.stl is missing' stdout || fail "the missing bunny is not told"
+[ ! -s stderr ] || fail "a run that goes well prints on stderr: $(head -c 300 stderr)"
+with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' out/deep/bench.json
+with_python 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' out/deep/index.html
+expect_files out/deep/bench.json out/deep/index.html
+
+# JSON alone makes no page; without OpenGL the reason takes the numbers' place.
+export __EGL_VENDOR_LIBRARY_DIRS=/nonexistent
+expect 0 '"unavailable": ".*OpenGL' --paper "${quick[@]}" --json -
+unset __EGL_VENDOR_LIBRARY_DIRS
+with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' stdout
+expect_files
+
+# Stopped in the middle, no half page is left.
+"$program" bench --paper --size 512x512 --scenes nowhere -o out >stdout 2>stderr &
+child=$!
+sleep 2
+kill -TERM "$child" 2>/dev/null
+wait "$child" 2>/dev/null && fail "a bench that is stopped exits with 0"
+expect_files
+
+echo "$checks checks, $failures failures"
+[ "$failures" -eq 0 ]
