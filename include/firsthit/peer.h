@@ -14,8 +14,8 @@
 
 namespace firsthit {
 
-/// How Embree's tree follows a scene. None of them does anything for a frame in which nothing has
-/// moved.
+/// How Embree's tree follows a scene. Where nothing has moved since the frame before, the tree stays as
+/// it is.
 enum class PeerUpdate {
     refit_parts,    // a tree for each part, refitted where it has moved, and one over all parts
     refit,          // one tree of medium quality, its boxes refitted
@@ -64,6 +64,9 @@ class EmbreePeer {
     /// Poses the scene for the frames that follow. Counted in the next frame's statistics.
     /// throws  as firsthit::pose
     const World& pose(double time_s);
+
+    /// The next frame's tree is updated as if everything had moved.
+    void assume_moved();
 
     /// Makes the picture of the world that was posed last; at time 0 where none was. Of the settings
     /// color, aovs, shadows and tile_size are looked at; automatic shadows are exact.

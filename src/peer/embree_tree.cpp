@@ -105,6 +105,11 @@ bool EmbreeTree::follow(const World& world, const Group& group)
     return moved;
 }
 
+void EmbreeTree::assume_moved()
+{
+    parts_.assign(scene_.parts.size(), {}); // no matrix is all 0
+}
+
 void EmbreeTree::update(const World& world)
 {
     if (positions_ != world.position.data()) {

@@ -26,6 +26,9 @@ class EmbreeTree {
     /// throws  DeviceError
     void update(const World& world);
 
+    /// The next update takes every part as moved.
+    void assume_moved();
+
     RTCScene scene() const { return handles_.scene; }
 
     /// The widest packets of rays that Embree has instructions for here: 8 or 16.

@@ -74,6 +74,11 @@ const World& EmbreePeer::pose(double time_s)
     return impl_->world;
 }
 
+void EmbreePeer::assume_moved()
+{
+    impl_->tree.assume_moved();
+}
+
 void EmbreePeer::render(const View& view, const Settings& settings, Film& film)
 {
     Impl& impl = *impl_;
@@ -135,6 +140,7 @@ const World& EmbreePeer::pose(double)
 {
     throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
 }
+void EmbreePeer::assume_moved() {}
 void EmbreePeer::render(const View&, const Settings&, Film&)
 {
     pose(0);

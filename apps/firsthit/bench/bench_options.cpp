@@ -73,6 +73,7 @@ void add_bench_options(CLI::App& app, BenchOptions& options)
         app, "--rounds", options.rounds,
         [](const std::string& text) { return parse_integer(text, 1, 10000); }, "N",
         "Frames of each kind, 1 to 10000, of which the medians are shown");
+    app.add_flag("--full", options.full, "Of --peers: all scenes at all sizes, an hour's work");
     app.add_flag("--quick", options.quick, "Few small frames: tries the command in seconds");
     app.footer(kFooter);
 }
