@@ -38,6 +38,7 @@ struct PeerStats {
     double shadow_ms = 0;  // rays between hits and lights
     double shade_ms = 0;   // the cpu engine's shading, and storing
     double total_ms = 0;
+    std::uint64_t updated_triangles = 0; // of the tree
     std::uint64_t hits = 0;
     std::uint64_t shadow_rays = 0;
 };

@@ -59,7 +59,7 @@ void EmbreeTree::add(const World& world, std::size_t first_part, std::size_t las
     const std::size_t count = std::size_t(last.first_triangle) + last.triangle_count - first;
     if (count == 0) return;
     RTCGeometry geometry = rtcNewGeometry(handles_.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    groups_.push_back({first_part, last_part, geometry});
+    groups_.push_back({first_part, last_part, count, geometry});
     first_triangle_.push_back(first);
     rtcSetGeometryBuildQuality(geometry, geometry_quality(update_));
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -110,22 +110,23 @@ void EmbreeTree::assume_moved()
     parts_.assign(scene_.parts.size(), {}); // no matrix is all 0
 }
 
-void EmbreeTree::update(const World& world)
+std::uint64_t EmbreeTree::update(const World& world)
 {
     if (positions_ != world.position.data()) {
         build(world);
-        return;
+        return scene_.triangle_count();
     }
-    bool any = false;
+    std::uint64_t updated = 0;
     for (const Group& group : groups_) {
         if (!follow(world, group)) continue;
         rtcUpdateGeometryBuffer(group.geometry, RTC_BUFFER_TYPE_VERTEX, 0);
         rtcCommitGeometry(group.geometry);
-        any = true;
+        updated += group.triangles;
     }
-    if (!any) return;
+    if (updated == 0) return 0;
     rtcCommitScene(handles_.scene);
     handles_.check();
+    return updated;
 }
 
 } // namespace firsthit

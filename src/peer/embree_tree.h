@@ -23,8 +23,9 @@ class EmbreeTree {
 
     /// The tree over the world's triangles. world.position is read from here on, until the next
     /// update: it has to stay where it is, with room for 4 bytes more behind its end.
-    /// throws  DeviceError
-    void update(const World& world);
+    /// returns  the number of triangles that were updated
+    /// throws   DeviceError
+    std::uint64_t update(const World& world);
 
     /// The next update takes every part as moved.
     void assume_moved();
@@ -44,6 +45,7 @@ class EmbreeTree {
     /// Some parts that are updated together.
     struct Group {
         std::size_t first_part, last_part;
+        std::uint64_t triangles;
         RTCGeometry geometry = nullptr;
     };
     /// What a part's positions were made from.

@@ -97,7 +97,7 @@ void EmbreePeer::render(const View& view, const Settings& settings, Film& film)
     Stopwatch watch;
     double after_ms = 0;
     try {
-        impl.tree.update(impl.world);
+        impl.stats.updated_triangles = impl.tree.update(impl.world);
         impl.stats.update_ms = watch.lap_ms();
         render_embree(impl.world, filled, settings, impl.tree, impl.packet, impl.memory, impl.tasks,
             film, impl.stats);

@@ -92,6 +92,24 @@ Scene twisting(Scene mesh)
     return mesh;
 }
 
+Scene with_moving_lights(Scene scene)
+{
+    for (Light& light : scene.lights) {
+        if (light.kind == Light::Kind::directional || light.track >= 0) continue;
+        light.track = std::int32_t(scene.tracks.size());
+        Track track;
+        track.name = "a light that moves";
+        for (const double time_s : {-1.0, 0.0, 1000.0, 1001.0}) { // the outer keys shape the ends
+            TrackKey key;
+            key.time_s = time_s;
+            key.value = glm::dvec4(light.position * (1 + 1e-4 * time_s), 1);
+            track.translation.push_back(key);
+        }
+        scene.tracks.push_back(std::move(track));
+    }
+    return scene;
+}
+
 Scene partly_moving_cloth(std::uint64_t triangles, double share)
 {
     const auto side = std::uint32_t(std::max(2.0, std::sqrt(double(triangles) / 2)));

@@ -11,6 +11,10 @@ namespace firsthit::cli::bench {
 /// new at every time. Rigid parts only; nodes keep their places.
 Scene twisting(Scene mesh);
 
+/// The scene with lights that move a little, so that a shadow map has to be made anew for every frame.
+/// Directional lights stay.
+Scene with_moving_lights(Scene scene);
+
 /// A cloth of about as many triangles, of which the vertices of the last rows, `share` of all, move at
 /// every time, and the others never. A part each.
 /// share  0 to 1

@@ -41,13 +41,48 @@ int rounds_for(const RowSettings& settings, double frame_ms)
 
 using Makers = std::map<Side, std::unique_ptr<FrameMaker>>;
 
-/// One more frame of each side, with the items, compared with Embree's widest packets.
-void compare_pictures(const Makers& makers, double time_s, PeerRow& row)
+/// A row in the making.
+struct Running {
+    const PeerScene& scene;
+    PeerRow row;
+    PeerTrial trial;
+    Makers makers;
+};
+
+/// Tries Embree's updates, and makes the makers.
+Running prepared(const PeerScene& scene, const RowSettings& settings)
 {
-    for (const auto& [side, maker] : makers) maker->frame(time_s, true);
-    const Film& theirs = makers.rbegin()->second->film();
-    row.exact = difference(makers.at(Side::exact)->film(), theirs);
-    row.map = difference(makers.at(Side::map)->film(), theirs);
+    Running running{.scene = scene,
+        .row = {.scene = scene.name, .size = settings.size, .threads = settings.threads},
+        .trial = {},
+        .makers = {}};
+    if (!scene.scene) {
+        running.row.unavailable = scene.note;
+        return running;
+    }
+    running.row.triangles = scene.scene->triangle_count();
+    running.trial = try_updates(scene, settings);
+    running.row.update = running.trial.best;
+    for (const Side side : {Side::map, Side::exact})
+        running.makers[side] =
+            our_frames(scene, settings.size, settings.threads, settings_of(side));
+    if (!running.trial.failure.empty()) return running;
+    const auto embree = [&](int packet) {
+        return embree_frames(scene, settings.size, settings.threads, running.row.update, packet);
+    };
+    running.makers[Side::embree8] = embree(8);
+    if (running.trial.packet == 16) running.makers[Side::embree16] = embree(16);
+    return running;
+}
+
+/// One more frame of each side, with the items, compared with Embree's widest packets.
+void compare_pictures(int rounds, Running& running)
+{
+    for (const auto& [side, maker] : running.makers)
+        maker->frame(round_time(running.scene, rounds), true);
+    const Film& theirs = running.makers.rbegin()->second->film();
+    running.row.exact = difference(running.makers.at(Side::exact)->film(), theirs);
+    running.row.map = difference(running.makers.at(Side::map)->film(), theirs);
 }
 
 } // namespace
@@ -86,50 +121,51 @@ Quartiles PeerRow::cpu_ratio(Side ours, Side theirs) const
     return a && b ? ratio_of(b->all_cpu_ms, a->all_cpu_ms) : Quartiles{};
 }
 
+std::vector<PeerRow> measure_together(
+    std::span<const PeerScene> scenes, const RowSettings& settings)
+{
+    std::vector<Running> all;
+    std::vector<Contender> contenders;
+    double round_ms = 0;
+    for (const PeerScene& scene : scenes) {
+        all.push_back(prepared(scene, settings));
+        round_ms += all.back().trial.shortest_ms;
+        for (const auto& [side, maker] : all.back().makers)
+            contenders.push_back(contender(std::string(side_name(side)), scene, *maker));
+    }
+    const int rounds = rounds_for(settings, round_ms);
+    std::vector<Times> times;
+    if (!contenders.empty()) {
+        Progress progress(
+            scenes[0].name, contenders.size() * std::size_t(rounds + FrameMaker::kWarmUp));
+        times =
+            measure_in_turn(contenders, rounds, FrameMaker::kWarmUp, [&] { progress.advance(); });
+    }
+    std::vector<PeerRow> rows;
+    std::size_t k = 0;
+    for (Running& running : all) {
+        PeerRow& row = running.row;
+        row.embree_failure = running.trial.failure;
+        for (const auto& [side, maker] : running.makers) {
+            if (!times[k].failure.empty()) row.embree_failure = times[k].failure;
+            row.sides.push_back({.side = side,
+                .ms = quartiles(times[k].ms),
+                .cpu_ms = quartiles(maker->cpu_ms()),
+                .stages = maker->median_stages(),
+                .all_ms = std::move(times[k].ms),
+                .all_cpu_ms = maker->cpu_ms()});
+            ++k;
+        }
+        if (settings.pictures && running.scene.scene && row.embree_failure.empty())
+            compare_pictures(rounds, running);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 PeerRow measure_row(const PeerScene& scene, const RowSettings& settings)
 {
-    PeerRow row{.scene = scene.name, .size = settings.size, .threads = settings.threads};
-    if (!scene.scene) {
-        row.unavailable = scene.note;
-        return row;
-    }
-    row.triangles = scene.scene->triangle_count();
-    const PeerTrial trial = try_updates(scene, settings);
-    row.update = trial.best;
-
-    Makers makers;
-    for (const Side side : {Side::map, Side::exact})
-        makers[side] = our_frames(scene, settings.size, settings.threads, settings_of(side));
-    if (trial.failure.empty()) {
-        const auto embree = [&](int packet) {
-            return embree_frames(scene, settings.size, settings.threads, trial.best, packet);
-        };
-        makers[Side::embree8] = embree(8);
-        if (trial.packet == 16) makers[Side::embree16] = embree(16);
-    }
-    std::vector<Contender> contenders;
-    for (const auto& [side, maker] : makers)
-        contenders.push_back(contender(std::string(side_name(side)), scene, *maker));
-    const int rounds = rounds_for(settings, trial.shortest_ms);
-    Progress progress(scene.name, contenders.size() * std::size_t(rounds + FrameMaker::kWarmUp));
-    std::vector<Times> times =
-        measure_in_turn(contenders, rounds, FrameMaker::kWarmUp, [&] { progress.advance(); });
-    std::string failure = trial.failure;
-    std::size_t k = 0;
-    for (const auto& [side, maker] : makers) {
-        if (!times[k].failure.empty()) failure = times[k].failure;
-        row.sides.push_back({.side = side,
-            .ms = quartiles(times[k].ms),
-            .cpu_ms = quartiles(maker->cpu_ms()),
-            .stages = maker->median_stages(),
-            .all_ms = std::move(times[k].ms),
-            .all_cpu_ms = maker->cpu_ms()});
-        ++k;
-    }
-    row.embree_failure = failure;
-    if (settings.pictures && failure.empty())
-        compare_pictures(makers, round_time(scene, rounds), row);
-    return row;
+    return measure_together({&scene, 1}, settings).front();
 }
 
 } // namespace firsthit::cli::bench

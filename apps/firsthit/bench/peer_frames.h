@@ -10,6 +10,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,8 +47,8 @@ struct PeerRow {
     PeerUpdate update = PeerUpdate::refit; // which gave Embree the shortest frames
     std::vector<SideTimes> sides = {};
     std::optional<PictureDifference> exact = {}, map = {}; // of our pictures and Embree's last ones
-    std::string unavailable = {};                // why nothing was measured
-    std::string embree_failure = {};             // why Embree has no times
+    std::string unavailable = {};                          // why nothing was measured
+    std::string embree_failure = {};                       // why Embree has no times
 
     const SideTimes* find(Side side) const;
     /// How many times longer `theirs` takes than `ours`, round by round; count 0: not measured.
@@ -66,5 +67,10 @@ struct RowSettings {
 /// The scene is posed a little later from round to round, for all sides at the same times. Embree's
 /// update is the one whose frames are shortest in a short trial.
 PeerRow measure_row(const PeerScene& scene, const RowSettings& settings);
+
+/// The same for several scenes, all frame by frame in turn, so that their times may be compared.
+/// returns  (scenes), in their order
+std::vector<PeerRow> measure_together(
+    std::span<const PeerScene> scenes, const RowSettings& settings);
 
 } // namespace firsthit::cli::bench

@@ -16,9 +16,9 @@ namespace firsthit::cli::bench {
 struct PeerScene {
     std::string name;
     std::shared_ptr<const Scene> scene; // null: it is missing
-    double time_s = 0;                  // of the first frame
+    double time_s = 0;                  // of the animation, where the frames begin
     std::string note = {};              // what stands in for it, or why it is missing
-    bool kept = true;                   // of a still scene: Embree knows that nothing moves
+    bool kept = true;                   // Embree may know what does not move
     double asked_map = 0;   // how many times faster than Embree we want to be, at least;
     double asked_exact = 0; // 0: nothing is asked
     Camera camera = {};     // of a scene that has none: frames it

@@ -116,16 +116,16 @@ void add_moving_shares(const BenchOptions& options, Report& report, Json& json)
     const std::vector<double> shares = options.full
                                            ? std::vector<double>{0, 0.01, 0.1, 0.25, 0.5, 1}
                                            : std::vector<double>{0, 0.1, 1};
-    std::vector<PeerRow> rows;
-    for (const double share : shares) {
-        const PeerScene scene = peer_scene(
-            fmt::format("cloth, {:g} % moves", 100 * share), partly_moving_cloth(triangles, share));
-        rows.push_back(measure_row(scene, {.size = size_of(options),
-                                              .threads = 1,
-                                              .rounds = rounds_of(options, kRounds),
-                                              .fewer = !options.rounds,
-                                              .pictures = true}));
-    }
+    std::vector<PeerScene> cloths;
+    for (const double share : shares)
+        cloths.push_back(peer_scene(fmt::format("cloth, {:g} % moves", 100 * share),
+            partly_moving_cloth(triangles, share)));
+    const std::vector<PeerRow> rows =
+        measure_together(cloths, {.size = size_of(options),
+                                     .threads = 1,
+                                     .rounds = rounds_of(options, kRounds),
+                                     .fewer = !options.rounds,
+                                     .pictures = true});
     LinePlot plot{.title = "Frame time against the share of the vertices that move",
         .x = {.label = "share of the vertices that move, %"},
         .y = {.label = "milliseconds"},

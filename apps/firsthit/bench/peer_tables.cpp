@@ -68,33 +68,22 @@ void add_times(std::span<const PeerRow> rows, const std::string& title, Report& 
     report.add(table);
 }
 
-void add_ratios(std::span<const PeerRow> rows, const std::string& title, Report& report)
+/// Ratios of frames by the clock, or by the processor's time.
+void add_ratios(std::span<const PeerRow> rows, const std::string& title,
+    Quartiles (PeerRow::*ratio)(Side, Side) const, const std::string& note, Report& report)
 {
-    const bool cpu =
-        std::all_of(rows.begin(), rows.end(), [](const PeerRow& row) { return row.threads == 1; });
-    Table table{.title = "How many times longer Embree takes: " + title,
-        .head = {"scene"},
-        .rows = {},
-        .note = "Medians of the ratios of frames that were made one after the other."};
-    if (cpu)
-        table.note += " By the processor's time: of the time in which other programs had the "
-                      "processor, nothing is counted.";
+    Table table{.title = title, .head = {"scene"}, .rows = {}, .note = note};
     std::vector<std::pair<Side, Side>> pairs;
     for (const Side embree : {Side::embree8, Side::embree16})
         for (const Side ours : {Side::map, Side::exact})
             if (embree == Side::embree8 || has(rows, embree)) pairs.emplace_back(ours, embree);
-    for (const auto& [ours, embree] : pairs) {
-        const char* const rays = embree == Side::embree8 ? "8 rays" : "16 rays";
-        const char* const shadows = ours == Side::map ? "map" : "exact";
-        table.head.push_back(fmt::format("{}, {}", shadows, rays));
-        if (cpu) table.head.push_back(fmt::format("{}, {}: processor's time", shadows, rays));
-    }
+    for (const auto& [ours, embree] : pairs)
+        table.head.push_back(fmt::format(
+            "{}, {} rays", ours == Side::map ? "map" : "exact", embree == Side::embree8 ? 8 : 16));
     for (const PeerRow& row : rows) {
         std::vector<Cell> cells{{row.scene}};
-        for (const auto& [ours, embree] : pairs) {
-            cells.push_back(times_cell(row.ratio(ours, embree)));
-            if (cpu) cells.push_back(times_cell(row.cpu_ratio(ours, embree)));
-        }
+        for (const auto& [ours, embree] : pairs)
+            cells.push_back(times_cell((row.*ratio)(ours, embree)));
         table.rows.push_back(std::move(cells));
     }
     report.add(table);
@@ -135,7 +124,13 @@ void add_pictures_table(std::span<const PeerRow> rows, const std::string& title,
 void add_frames_tables(std::span<const PeerRow> rows, const std::string& title, Report& report)
 {
     add_times(rows, title, report);
-    add_ratios(rows, title, report);
+    add_ratios(rows, "How many times longer Embree takes than ours: " + title, &PeerRow::ratio,
+        "Medians of the ratios of frames that were made one after the other, quartiles beneath.",
+        report);
+    // The time of several threads is added up: it tells nothing about frames.
+    if (std::all_of(rows.begin(), rows.end(), [](const PeerRow& row) { return row.threads == 1; }))
+        add_ratios(rows, "The same by the processor's time: " + title, &PeerRow::cpu_ratio,
+            "Of the time in which other programs had the processor, nothing is counted.", report);
     add_pictures_table(rows, title, report);
 }
 
@@ -171,10 +166,10 @@ void add_asked_table(
 {
     Table table{
         .title = "Asked and measured: times as fast as Embree's packets of 8 rays, 1 thread",
-        .head = {"scene", "map: asked", "measured", "reached", "exact: asked", "measured",
-            "reached"},
+        .head = {"scene", "map: asked", "measured", "by processor's time", "reached",
+            "exact: asked", "measured", "by processor's time", "reached"},
         .rows = {},
-        .note = ""};
+        .note = "Whether it is reached is said by the clock."};
     Json list = Json::array();
     for (const PeerScene& scene : scenes) {
         if (scene.asked_map == 0) continue;
@@ -188,11 +183,14 @@ void add_asked_table(
             const Quartiles ratio = row->ratio(ours, Side::embree8);
             const bool measured = ratio.count > 0, reached = measured && ratio.median >= asked;
             cells.push_back({fmt::format("{:g}x", asked)});
+            const Quartiles cpu_ratio = row->cpu_ratio(ours, Side::embree8);
             cells.push_back(times_cell(ratio));
+            cells.push_back(times_cell(cpu_ratio));
             cells.push_back({measured ? reached ? "yes" : "no" : "-"});
             entry[name] = {{"asked", asked}};
             if (measured) {
                 entry[name]["measured"] = ratio.median;
+                entry[name]["measured_cpu"] = cpu_ratio.median;
                 entry[name]["reached"] = reached;
             }
         }
