@@ -28,6 +28,7 @@ void add_bench_options(CLI::App& app, BenchOptions& options);
 
 /// Finds what cannot work before anything is measured.
 /// throws  UsageError: neither --paper nor --peers
+///         DeviceError: frames larger than the machine's memory
 ///         FileError: a folder or file that cannot be written, a --bart that is not there
 void check(const BenchOptions& options);
 

@@ -90,9 +90,12 @@ void add_paper(const BenchOptions& options, Report& report)
         {"interleave", kPaperInterleave}};
 
     const PaperMeasured measured = measure_tables(std::move(scenes), options);
+    report.page.subheading("Tables");
     add_paper_tables(measured, report, json);
+    report.page.subheading("Where the time goes, and how it varies");
     add_time_shares(measured, report, json);
     measure_animation(measured.scenes[0], options, report, json);
+    report.page.subheading("Pictures");
     add_paper_pictures(
         measured.scenes, options.quick ? 64 : kPictureSide, options.threads, report, json);
     report.json["paper"] = std::move(json);

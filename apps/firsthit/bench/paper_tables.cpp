@@ -65,7 +65,8 @@ Ours ours_of(const PaperMeasured& measured, std::size_t scene, const PaperRow& r
 
 void add_table(const PaperMeasured& measured, const PaperTable& asked, Report& report, Json& json)
 {
-    Table table{.title = asked.title, .head = {"paper's row: our engine"}, .rows = {}, .note = {}};
+    Table table{
+        .title = asked.title, .head = {"paper's row: our engine"}, .rows = {}, .note = asked.note};
     for (const char* const name : kPaperNames) {
         table.head.push_back(name);
         table.head.push_back("paper");

@@ -71,6 +71,11 @@ TEST(BenchOptions, OutOfRangeAreWrongUsage)
     EXPECT_THROW(parsed({"--threads", "-1"}), UsageError);
 }
 
+TEST(BenchOptions, FramesThatNoMemoryHoldsAreRefusedAtOnce)
+{
+    EXPECT_THROW(check(parsed({"--paper", "--json", "-", "--size", "65536x65536"})), DeviceError);
+}
+
 TEST(BenchOptions, ABartThatIsNotThereIsRefusedAtOnce)
 {
     EXPECT_THROW(check(parsed({"--paper", "--json", "-", "--bart", "/no/Robot.aff"})), FileError);
