@@ -26,6 +26,7 @@ constexpr const char* kFooter = R"(Examples:
 The page is DIR/index.html, one file that needs no others; DIR/bench.json has its numbers. Both appear
 when all is measured; what was there is replaced. scripts/fetch_scenes.sh fetches bunny and dragon;
 BART's Robot.aff (Lext, Assarsson, Moeller 2000) is its users' own, builtin:robots stands in for it.
+--peers takes ten minutes, and counts the pixels in which pictures differ; --full takes an hour.
 Other programs that run meanwhile are seen in the numbers. --quick is for trying out the command: its
 pictures are small and its numbers say nothing. Exit codes: 0 done, 1 failed, 2 wrong usage.)";
 

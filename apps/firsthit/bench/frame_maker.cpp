@@ -10,11 +10,6 @@ namespace firsthit::cli::bench {
 
 namespace {
 
-double process_cpu_ms()
-{
-    return 1000.0 * double(std::clock()) / CLOCKS_PER_SEC;
-}
-
 std::vector<Aov> planes(bool items)
 {
     return items ? std::vector<Aov>{Aov::item} : std::vector<Aov>();
@@ -86,6 +81,11 @@ class EmbreeFrames : public FrameMaker {
 };
 
 } // namespace
+
+double process_cpu_ms()
+{
+    return 1000.0 * double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 void FrameMaker::frame(double time_s, bool items)
 {

@@ -17,6 +17,9 @@ namespace firsthit::cli::bench {
 /// Milliseconds of each stage, in their order.
 using Stages = std::vector<std::pair<std::string, double>>;
 
+/// Milliseconds of the processor's time that the process has taken, on all threads.
+double process_cpu_ms();
+
 /// Makes frames, and keeps what they share and what they took.
 class FrameMaker {
   public:

@@ -15,6 +15,8 @@ namespace firsthit::cli::bench {
 namespace {
 
 constexpr int kRounds = 9;
+/// All rows here have one thread.
+constexpr const char* kMilliseconds = "milliseconds of the processor's time";
 
 /// A curve for each side over the rows.
 std::vector<Series> curves(
@@ -26,24 +28,26 @@ std::vector<Series> curves(
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (const SideTimes* times = rows[k].find(side))
                 curve.points.push_back({.x = x(k),
-                    .y = times->ms.median,
-                    .lower = times->ms.lower,
-                    .upper = times->ms.upper});
+                    .y = times->cpu_ms.median,
+                    .lower = times->cpu_ms.lower,
+                    .upper = times->cpu_ms.upper});
         if (!curve.points.empty()) series.push_back(std::move(curve));
     }
     return series;
 }
 
-/// What the time grows by from row to row: its power of what x grows by. 1: linear.
+/// The power of x that the time grows by, from the first row to the last. 1: linear; below: a part of the
+/// time does not grow.
 Json exponents_json(std::span<const PeerRow> rows, const std::function<double(std::size_t)>& x)
 {
     Json json = Json::object();
     for (const Side side : kSides) {
         if (rows.size() < 2) continue;
         const SideTimes *first = rows.front().find(side), *last = rows.back().find(side);
-        if (first && last && first->ms.median > 0)
+        if (first && last && first->cpu_ms.median > 0)
             json[std::string(side_name(side))] =
-                std::log(last->ms.median / first->ms.median) / std::log(x(rows.size() - 1) / x(0));
+                std::log(last->cpu_ms.median / first->cpu_ms.median) /
+                std::log(x(rows.size() - 1) / x(0));
     }
     return json;
 }
@@ -70,7 +74,7 @@ void add_triangle_growth(std::span<const PeerRow> rows, Report& report, Json& js
     if (rows.size() < 2) return;
     LinePlot plot{.title = "Frame time against triangles",
         .x = {.label = "triangles", .log = true},
-        .y = {.label = "milliseconds", .log = true},
+        .y = {.label = kMilliseconds, .log = true},
         .series = curves(rows, triangles)};
     report.page.add_plot(line_plot_svg(plot),
         fmt::format(
@@ -100,7 +104,7 @@ void add_pixel_growth(
         };
         report.page.add_plot(line_plot_svg({.title = "Frame time against pixels: " + scene.name,
                                  .x = {.label = "megapixels"},
-                                 .y = {.label = "milliseconds"},
+                                 .y = {.label = kMilliseconds},
                                  .series = curves(rows, megapixels)}),
             "One thread. Bars: quartiles.");
         add_frames_tables(rows, "1 thread", report);
@@ -128,17 +132,19 @@ void add_moving_shares(const BenchOptions& options, Report& report, Json& json)
                                      .pictures = true});
     LinePlot plot{.title = "Frame time against the share of the vertices that move",
         .x = {.label = "share of the vertices that move, %"},
-        .y = {.label = "milliseconds"},
+        .y = {.label = kMilliseconds},
         .series = curves(rows, [&](std::size_t k) { return 100 * shares[k]; })};
-    report.page.add_plot(line_plot_svg(plot), "A cloth, one thread. Embree is told which part "
-                                              "moves, and updates no more than that where this "
-                                              "is quickest.");
+    report.page.add_plot(line_plot_svg(plot),
+        "A cloth, one thread, all shares in turn. The light moves a little, so that our shadow "
+        "map is made in every frame. Embree is told which part moves, and updates no more than "
+        "that where "
+        "this is quickest.");
     add_frames_tables(rows, "a cloth of which a share moves, 1 thread", report);
     Json flat = Json::object();
     for (const Side side : kSides) {
         const SideTimes *none = rows.front().find(side), *all = rows.back().find(side);
-        if (none && all && none->ms.median > 0)
-            flat[std::string(side_name(side))] = all->ms.median / none->ms.median;
+        if (none && all && none->cpu_ms.median > 0)
+            flat[std::string(side_name(side))] = all->cpu_ms.median / none->cpu_ms.median;
     }
     json["moving_share"] = {
         {"shares", shares}, {"all_against_none", std::move(flat)}, {"rows", rows_json(rows)}};
