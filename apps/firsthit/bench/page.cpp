@@ -14,9 +14,6 @@ constexpr const char* kStyle = R"(
   --band: #f4f6f8; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e4e7eb; --paper: #14171b; --soft: #9aa3af; --line: #343a43; --band: #1d2127; } }
-@media print {
-  :root { --ink: #000; --paper: #fff; --soft: #444; --line: #bbb; --band: #f4f4f4; }
-  figure { break-inside: avoid; } h2, h3 { break-after: avoid; } }
 body { margin: 0 auto; max-width: 72rem; padding: 1.5rem; background: var(--paper); color: var(--ink);
   font: 16px/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.7rem; margin: 0 0 .5rem; }
@@ -40,6 +37,10 @@ small { display: block; color: var(--soft); font-size: .78rem; font-weight: 400;
 .row > div { flex: 1 1 18rem; max-width: 32rem; }
 .row img { width: 100%; height: auto; display: block; image-rendering: auto; }
 .row p { font-size: .85rem; color: var(--soft); }
+@media print {
+  :root { --ink: #000; --paper: #fff; --soft: #444; --line: #bbb; --band: #f4f4f4; font-size: 11px; }
+  body { font-size: 11px; padding: 0; } p, .note { max-width: none; } .scroll { overflow: visible; }
+  .row > div { flex-basis: 30%; } figure { break-inside: avoid; } h2, h3 { break-after: avoid; } }
 )";
 
 std::string element(std::string_view name, std::string_view text)

@@ -51,7 +51,7 @@ void add_scenes(const PaperMeasured& measured, Report& report, Json& json)
 
 /// A number of ours, and what to say of it.
 struct Ours {
-    std::optional<Quartiles> fps;
+    std::optional<Quartiles> value;
     std::string reason; // why there is none
 };
 
@@ -78,14 +78,14 @@ void add_table(const PaperMeasured& measured, const PaperTable& asked, Report& r
         for (std::size_t k = 0; k < kPaperScenes; ++k) {
             const Ours ours = ours_of(measured, k, row);
             Json number = {{"scene", kPaperNames[k]}};
-            if (ours.fps)
-                number["fps"] = quartiles_json(*ours.fps);
+            if (ours.value)
+                number["fps"] = quartiles_json(*ours.value);
             else
                 number["unavailable"] = ours.reason;
             if (row.paper[k] != 0) number["paper_fps"] = row.paper[k];
             numbers.push_back(std::move(number));
-            cells.push_back(ours.fps ? cell(*ours.fps) : missing_cell(ours.reason));
-            cells.push_back(paper_cell(row.paper[k], ours.fps ? &*ours.fps : nullptr));
+            cells.push_back(ours.value ? cell(*ours.value) : missing_cell(ours.reason));
+            cells.push_back(paper_cell(row.paper[k], ours.value ? &*ours.value : nullptr));
         }
         rows.push_back({{"row", row.name}, {"way", row.way}, {"items_only", row.items_only},
             {"scenes", std::move(numbers)}});
@@ -93,6 +93,48 @@ void add_table(const PaperMeasured& measured, const PaperTable& asked, Report& r
     }
     report.add(table);
     json[fmt::format("table{}", asked.number)] = std::move(rows);
+}
+
+/// Of frames of the same rounds, so that what disturbs the machine disturbs both.
+Ours ratio_of(const PaperMeasured& measured, std::size_t scene, const PaperRatio& asked)
+{
+    const Frames* const ours = measured.find(scene, asked.way);
+    const Frames* const slower = measured.find(scene, asked.slower);
+    if (!ours || !slower) return {std::nullopt, measured.scenes[scene].note};
+    for (const Frames* const frames : {ours, slower})
+        if (!frames->failure.empty()) return {std::nullopt, frames->failure};
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < ours->ms.size(); ++k) ratios.push_back(slower->ms[k] / ours->ms[k]);
+    return {quartiles(std::move(ratios)), {}};
+}
+
+void add_ratios(const PaperMeasured& measured, Report& report, Json& json)
+{
+    Table table{.title = "The cpu engine beside the engines on OpenGL: times as fast",
+        .head = {"frames"},
+        .rows = {},
+        .note = "No multisampling; medians of frames of the same round. Not in the paper."};
+    table.head.insert(table.head.end(), kPaperNames.begin(), kPaperNames.end());
+    Json rows = Json::array();
+    for (const PaperRatio& asked : kRatios) {
+        std::vector<Cell> cells = {{asked.name}};
+        Json numbers = Json::array();
+        for (std::size_t k = 0; k < kPaperScenes; ++k) {
+            const Ours ratio = ratio_of(measured, k, asked);
+            cells.push_back(ratio.value ? cell(*ratio.value) : missing_cell(ratio.reason));
+            Json number = {{"scene", kPaperNames[k]}};
+            if (ratio.value)
+                number["times"] = quartiles_json(*ratio.value);
+            else
+                number["unavailable"] = ratio.reason;
+            numbers.push_back(std::move(number));
+        }
+        rows.push_back({{"row", asked.name}, {"way", asked.way}, {"slower", asked.slower},
+            {"scenes", std::move(numbers)}});
+        table.rows.push_back(std::move(cells));
+    }
+    report.add(table);
+    json["ratios"] = std::move(rows);
 }
 
 } // namespace
@@ -108,6 +150,7 @@ void add_paper_tables(const PaperMeasured& measured, Report& report, Json& json)
 {
     add_scenes(measured, report, json);
     for (const PaperTable& table : kTables) add_table(measured, table, report, json);
+    add_ratios(measured, report, json);
 }
 
 } // namespace firsthit::cli::bench

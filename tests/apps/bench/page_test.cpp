@@ -2,7 +2,9 @@
 #include "bench/densest_window.h"
 #include "bench/markup.h"
 #include "bench/page.h"
+#include "bench/report.h"
 #include "bench/well_formed.h"
+#include "temporary_folder.h"
 
 #include <firsthit/error.h>
 #include <firsthit/scene.h>
@@ -90,6 +92,25 @@ TEST(Table, WhatIsMissingSaysWhy)
     const Table table{
         .title = "", .head = {"a", "b"}, .rows = {{{"x"}, missing_cell("no OpenGL")}}, .note = {}};
     EXPECT_NE(table_html(table).find("-<small>no OpenGL</small>"), std::string::npos);
+}
+
+TEST(Report, IsWrittenIntoAFolderThatIsMade)
+{
+    const TemporaryFolder folder;
+    Report report;
+    report.json["paper"] = 7;
+    make_folder(folder / "new/deep");
+    write_report(report, folder / "new/deep");
+    EXPECT_EQ(bytes_of(folder / "new/deep/bench.json"), "{\n  \"paper\": 7\n}\n");
+    EXPECT_EQ(bytes_of(folder / "new/deep/index.html"), report.page.html());
+}
+
+TEST(Report, AFolderThatCannotBeMadeIsNamed)
+{
+    const TemporaryFolder folder;
+    folder.write("file", "x");
+    EXPECT_THROW(make_folder(folder / "file/below"), FileError);
+    EXPECT_THROW(write_report(Report(), folder / "nowhere"), FileError);
 }
 
 Picture two_by_one()

@@ -121,6 +121,10 @@ TEST(Paper, EveryRowNamesAWayThatThereIs)
 {
     for (const PaperTable& table : kTables)
         for (const PaperRow& row : table.rows) EXPECT_NO_THROW(paper_way(row.way)) << row.name;
+    for (const PaperRatio& ratio : kRatios) {
+        EXPECT_NO_THROW(paper_way(ratio.way)) << ratio.name;
+        EXPECT_NO_THROW(paper_way(ratio.slower)) << ratio.name;
+    }
     EXPECT_THROW(paper_way("abacus"), ArgumentError);
 }
 
@@ -159,6 +163,22 @@ TEST(Paper, WithoutOpenGlTheCellsSayWhy)
     EXPECT_EQ(json["table1"][1]["unavailable"], "gone");
     EXPECT_EQ(json["table2"][3]["scenes"][0]["fps"]["median"], 200); // 1 + 4 ms: items alone
     EXPECT_NE(report.page.html().find("no EGL: &lt;none&gt;"), std::string::npos);
+}
+
+TEST(Paper, RatiosAreOfFramesOfTheSameRound)
+{
+    PaperMeasured measured = made_up("no EGL");
+    for (std::size_t k = 0; k < measured.ways.size(); ++k)
+        if (measured.ways[k].name == "gpu")
+            measured.frames[0][k] = {.ms = {60, 40, 80}, .stats = {}, .failure = {}};
+    Report report;
+    Json json;
+    add_paper_tables(measured, report, json);
+    const Json& times = json["ratios"][0]["scenes"][0]["times"]; // 60 / 20, 40 / 10, 80 / 40
+    EXPECT_EQ(times["median"], 3);
+    EXPECT_EQ(times["upper"], 3.5);
+    EXPECT_EQ(json["ratios"][1]["scenes"][0]["unavailable"], "no EGL");
+    EXPECT_EQ(json["ratios"][0]["scenes"][1]["unavailable"], "gone");
 }
 
 TEST(Paper, WhatStagesLeaveOfTheFrameIsTheRest)
