@@ -73,6 +73,16 @@ unset __EGL_VENDOR_LIBRARY_DIRS
 with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' stdout
 expect_files
 
+# Beside Embree.
+expect 0 'Asked and measured' --peers "${quick[@]}" -o peers
+grep -q "Whole frames, milliseconds: 48x32, 1 thread" stdout || fail "no table of frames is printed"
+with_python 'import json, sys
+for row in json.load(open(sys.argv[1]))["peers"]["rows"]:
+    if row["threads"] == 1 and "embree_unavailable" not in row:
+        assert row["pictures"]["exact"]["pixels"] == 48 * 32' peers/bench.json
+with_python 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' peers/index.html
+expect_files peers/bench.json peers/index.html
+
 # Stopped in the middle, no half page is left.
 "$program" bench --paper --size 512x512 --scenes nowhere -o out >stdout 2>stderr &
 child=$!

@@ -26,6 +26,7 @@ constexpr const char* kFooter = R"(Examples:
 The page is DIR/index.html, one file that needs no others; DIR/bench.json has its numbers. Both appear
 when all is measured; what was there is replaced. scripts/fetch_scenes.sh fetches bunny and dragon;
 BART's Robot.aff (Lext, Assarsson, Moeller 2000) is its users' own, builtin:robots stands in for it.
+--peers takes ten minutes, and counts the pixels in which pictures differ; --full takes an hour.
 Other programs that run meanwhile are seen in the numbers. --quick is for trying out the command: its
 pictures are small and its numbers say nothing. Exit codes: 0 done, 1 failed, 2 wrong usage.)";
 
@@ -89,6 +90,7 @@ void add_bench_options(CLI::App& app, BenchOptions& options)
         app, "--rounds", options.rounds,
         [](const std::string& text) { return parse_integer(text, 1, 10000); }, "N",
         "Frames of each kind, 1 to 10000, of which the medians are shown");
+    app.add_flag("--full", options.full, "Of --peers: all scenes at all sizes, an hour's work");
     app.add_flag("--quick", options.quick, "Few small frames: tries the command in seconds");
     app.footer(kFooter);
 }

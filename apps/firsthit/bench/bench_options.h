@@ -20,6 +20,7 @@ struct BenchOptions {
     std::optional<Size> size;
     int threads = 0;
     std::optional<int> rounds;
+    bool full = false;  // of --peers: all sizes and numbers of threads
     bool quick = false; // seconds instead of minutes; says nothing about speed
 };
 

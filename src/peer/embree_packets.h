@@ -1,0 +1,49 @@
+// embree_packets.h - packets of 8 and of 16 coherent rays, by one name each.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+namespace firsthit {
+
+template <int kRays>
+struct EmbreePacket;
+
+template <>
+struct EmbreePacket<8> {
+    using RayHit = RTCRayHit8;
+    using Ray = RTCRay8;
+    static void intersect(
+        const int* valid, RTCScene scene, RTCIntersectContext& context, RayHit& rays)
+    {
+        rtcIntersect8(valid, scene, &context, &rays);
+    }
+    static void occluded(const int* valid, RTCScene scene, RTCIntersectContext& context, Ray& rays)
+    {
+        rtcOccluded8(valid, scene, &context, &rays);
+    }
+};
+
+template <>
+struct EmbreePacket<16> {
+    using RayHit = RTCRayHit16;
+    using Ray = RTCRay16;
+    static void intersect(
+        const int* valid, RTCScene scene, RTCIntersectContext& context, RayHit& rays)
+    {
+        rtcIntersect16(valid, scene, &context, &rays);
+    }
+    static void occluded(const int* valid, RTCScene scene, RTCIntersectContext& context, Ray& rays)
+    {
+        rtcOccluded16(valid, scene, &context, &rays);
+    }
+};
+
+inline RTCIntersectContext coherent_context()
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+} // namespace firsthit
