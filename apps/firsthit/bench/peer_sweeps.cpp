@@ -123,7 +123,7 @@ void add_moving_shares(const BenchOptions& options, Report& report, Json& json)
     std::vector<PeerScene> cloths;
     for (const double share : shares)
         cloths.push_back(peer_scene(fmt::format("cloth, {:g} % moves", 100 * share),
-            partly_moving_cloth(triangles, share)));
+            with_moving_lights(partly_moving_cloth(triangles, share))));
     const std::vector<PeerRow> rows =
         measure_together(cloths, {.size = size_of(options),
                                      .threads = 1,

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
+#include <tuple>
+#include <utility>
 
 namespace firsthit::cli::bench {
 
