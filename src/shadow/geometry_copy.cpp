@@ -27,9 +27,16 @@ bool follow_array(const std::vector<T>& array, Buffer<T>& copy, Tasks& tasks)
 
 void follow(const World& world, GeometryCopy& copy, Tasks& tasks)
 {
-    const bool moved = follow_array(world.position, copy.position, tasks);
+    const bool was_moving = copy.moving;
+    copy.moving = follow_array(world.position, copy.position, tasks);
+    if (copy.moving && was_moving) {
+        copy.index_is_old = true;
+        ++copy.version;
+        return;
+    }
     const bool rewired = follow_array(world.scene->index, copy.index, tasks);
-    if (moved || rewired) ++copy.version;
+    if (copy.moving || rewired || copy.index_is_old) ++copy.version;
+    copy.index_is_old = false;
 }
 
 } // namespace firsthit

@@ -84,6 +84,22 @@ TEST(ShadowMaps, AreMadeAgainForGeometryThatMoves)
     EXPECT_EQ(frames.updates(), 0u);
 }
 
+TEST(ShadowMaps, AreMadeAgainForTrianglesThatChangeInAMovement)
+{
+    Frames frames;
+    frames.world.world.lights = {point_light({1, -3, 5})};
+    auto& x = frames.world.world.position.back().x;
+    auto& triangle = frames.world.scene->index.back();
+    for (int frame = 0; frame < 3; ++frame) {
+        x += 1e-6f;
+        std::swap(triangle.x, triangle.y);
+        EXPECT_EQ(frames.updates(), 1u);
+    }
+    std::swap(triangle.x, triangle.y); // as in the frame before the last
+    EXPECT_EQ(frames.updates(), 1u);
+    EXPECT_EQ(frames.updates(), 0u);
+}
+
 TEST(ShadowMaps, DoNotDependOnEarlierFrames)
 {
     Frames early, late;
