@@ -11,9 +11,15 @@
 
 namespace firsthit {
 
+/// What memory a buffer is made of.
+enum class Pages {
+    large, // of large arrays: they are written from end to end
+    small, // room for the worst case, of which little is touched
+};
+
 /// An array of trivial elements, aligned to 64 bytes. Fresh memory is not touched, so what is
 /// reserved and never used costs address space only.
-template <class T>
+template <class T, Pages pages = Pages::large>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
@@ -28,7 +34,7 @@ class Buffer {
             size_ = capacity_ = 0; // in case there is no memory
             const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
-            ask_for_large_pages(data_.get(), bytes);
+            if constexpr (pages == Pages::large) ask_for_large_pages(data_.get(), bytes);
             capacity_ = count + spare;
         }
         size_ = count;

@@ -38,7 +38,8 @@ struct LightMesh {
     LightFace face;
     Buffer<SeenPoint> seen;       // (V) by the face; x is no number: behind it, or unusable
     Buffer<GridPlace> place;      // (V) on the grid of samples, where one is used
-    Buffer<SeenTriangle> in_view; // (T) room; each range of triangles fills the start of its part
+    // (T) room; each range of triangles fills the start of its part
+    Buffer<SeenTriangle, Pages::small> in_view;
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
 
     Corners corners(std::uint32_t triangle) const

@@ -49,8 +49,8 @@ struct Fragment {
 
 /// Fragments in the order in which they are found, structure of arrays.
 struct FoundFragments {
-    Buffer<std::uint32_t> place, triangle;
-    Buffer<float> w;
+    Buffer<std::uint32_t, Pages::small> place, triangle;
+    Buffer<float, Pages::small> w;
 
     void resize(std::size_t count)
     {
@@ -75,7 +75,8 @@ struct ViewMemory {
     std::span<const glm::uvec3> index;
 
     Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
-    Buffer<InView> in_view;   // (T) room; each range of triangles fills the start of its part
+    // (T) room; each range of triangles fills the start of its part
+    Buffer<InView, Pages::small> in_view;
     Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start; // (tiles + 1) into entry
     Buffer<RangeCount> range_count;   // (ranges)
