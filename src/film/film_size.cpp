@@ -1,6 +1,8 @@
 // film_size.cpp - room for the planes of a film.
 #include "film/film_size.h"
 
+#include "base/large_pages.h"
+
 #include <algorithm>
 
 namespace firsthit {
@@ -19,12 +21,12 @@ void resize(
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
     const auto size = [&](Plane& plane, int channels) {
         plane.channels = channels;
-        plane.value.resize(pixels * std::size_t(channels));
+        resize_in_large_pages(plane.value, pixels * std::size_t(channels));
     };
     if (color) size(film.color, 3);
     for (const Aov aov : aovs) {
         if (aov == Aov::item)
-            film.item.resize(pixels);
+            resize_in_large_pages(film.item, pixels);
         else
             size(film[aov], aov == Aov::lit ? int(lights) : aov_channels(aov));
     }

@@ -1,6 +1,7 @@
 // pose.cpp - a scene at a time.
 #include "scene/pose.h"
 
+#include "base/large_pages.h"
 #include "base/tasks.h"
 #include "scene/pose_kernel.h"
 #include "scene/track.h"
@@ -144,8 +145,8 @@ bool pose_vertices(
 /// Parts are found by their first vertex; a task takes pieces of one or more.
 void pose_parts(const Scene& scene, World& world, Tasks& tasks)
 {
-    world.position.resize(scene.vertices);
-    world.normal.resize(scene.vertices);
+    resize_in_large_pages(world.position, scene.vertices);
+    resize_in_large_pages(world.normal, scene.vertices);
     const std::vector<Part>& parts = scene.parts;
     std::atomic<std::size_t> first_bad = parts.size();
     tasks.for_ranges(scene.vertices, kVerticesPerTask, [&](std::size_t first, std::size_t last) {

@@ -36,8 +36,8 @@ struct LightMesh {
     std::span<const glm::uvec3> index;
     Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
     LightFace face;
-    Buffer<SeenPoint> seen;       // (V) by the face; x is no number: behind it, or unusable
-    Buffer<GridPlace> place;      // (V) on the grid of samples, where one is used
+    Buffer<SeenPoint> seen;  // (V) by the face; x is no number: behind it, or unusable
+    Buffer<GridPlace> place; // (V) on the grid of samples, where one is used
     // (T) room; each range of triangles fills the start of its part
     Buffer<SeenTriangle, Pages::small> in_view;
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range

@@ -77,7 +77,7 @@ struct ViewMemory {
     Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
     // (T) room; each range of triangles fills the start of its part
     Buffer<InView, Pages::small> in_view;
-    Buffer<TileEntry> entry;  // (entries) by tile, then by triangle
+    Buffer<TileEntry> entry;          // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start; // (tiles + 1) into entry
     Buffer<RangeCount> range_count;   // (ranges)
     Buffer<std::uint32_t> cursor;     // (ranges, tiles)
