@@ -134,30 +134,53 @@ bool is_item(
     return found;
 }
 
+/// Keeps the largest covers that it is offered.
+class CoverChoice {
+  public:
+    explicit CoverChoice(const SampleBounds& bounds) : bounds_(bounds)
+    {
+        least_ = kSmallestCover * (double(bounds.x1) - double(bounds.x0)) *
+                 (double(bounds.y1) - double(bounds.y0));
+    }
+
+    void offer(const SeenTriangle& seen)
+    {
+        if (!(covered_area(seen, bounds_) > least_)) return;
+        if (covers.count < CoverList::kMost) {
+            covers.triangle[std::size_t(covers.count++)] = seen;
+            return;
+        }
+        const auto area = [&](const SeenTriangle& s) { return covered_area(s, bounds_); };
+        auto& smallest = *std::min_element(covers.triangle.begin(), covers.triangle.end(),
+            [&](const auto& a, const auto& b) { return area(a) < area(b); });
+        least_ = std::max(least_, area(smallest));
+        if (area(seen) > area(smallest)) smallest = seen;
+    }
+
+    CoverList covers;
+
+  private:
+    SampleBounds bounds_;
+    double least_;
+};
+
 } // namespace
 
-CoverList find_covers(
-    const LightMesh& mesh, std::span<const SampleRange> ranges, const SampleBounds& bounds)
+CoverList find_covers(const LightMesh& mesh, std::span<const SampleRange> ranges,
+    const SampleBounds& bounds, Buffer<CoverList>& of_range, Tasks& tasks)
 {
-    CoverList covers;
-    const double whole =
-        (double(bounds.x1) - double(bounds.x0)) * (double(bounds.y1) - double(bounds.y0));
-    double least = kSmallestCover * whole;
-    for (const SampleRange& range : ranges) {
-        for (const SeenTriangle& seen : mesh.in_view.span().subspan(range.first, range.count)) {
-            if (!(covered_area(seen, bounds) > least)) continue;
-            if (covers.count < CoverList::kMost) {
-                covers.triangle[std::size_t(covers.count++)] = seen;
-                continue;
-            }
-            const auto area = [&](const SeenTriangle& s) { return covered_area(s, bounds); };
-            auto& smallest = *std::min_element(covers.triangle.begin(), covers.triangle.end(),
-                [&](const auto& a, const auto& b) { return area(a) < area(b); });
-            least = std::max(least, area(smallest));
-            if (area(seen) > area(smallest)) smallest = seen;
-        }
-    }
-    return covers;
+    of_range.resize(ranges.size());
+    tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
+        CoverChoice choice(bounds);
+        for (const SeenTriangle& seen :
+            mesh.in_view.span().subspan(ranges[k].first, ranges[k].count))
+            choice.offer(seen);
+        of_range[k] = choice.covers;
+    });
+    CoverChoice choice(bounds);
+    for (const CoverList& some : of_range.span())
+        for (const SeenTriangle& seen : some.span()) choice.offer(seen);
+    return choice.covers;
 }
 
 bool is_covered(const LightMesh& mesh, const CoverList& covers, const SampleBounds& b,

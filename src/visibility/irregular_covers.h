@@ -19,9 +19,10 @@ struct CoverList {
     std::span<const SeenTriangle> span() const { return {triangle.data(), std::size_t(count)}; }
 };
 
-/// ranges  into mesh.in_view
-CoverList find_covers(
-    const LightMesh& mesh, std::span<const SampleRange> ranges, const SampleBounds& bounds);
+/// ranges    into mesh.in_view
+/// of_range  memory
+CoverList find_covers(const LightMesh& mesh, std::span<const SampleRange> ranges,
+    const SampleBounds& bounds, Buffer<CoverList>& of_range, Tasks& tasks);
 
 /// Whether one of the triangles certainly shadows all samples, none of which lies on it.
 /// bounds  of the samples

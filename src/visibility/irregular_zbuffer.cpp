@@ -67,19 +67,26 @@ void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCe
 
 /// Takes the patches out that one triangle shadows.
 void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory)
+    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory, Tasks& tasks)
 {
     memory.covered.resize(patches.size());
     memory.open.resize(patches.size());
-    std::size_t covered = 0, open = 0;
-    memory.covers = find_covers(mesh, memory.triangle_ranges.span(), bounds);
-    for (const SamplePatch& patch : patches) {
-        if (patch.range.count == 0) continue;
+    memory.is_covered.resize(patches.size());
+    memory.covers =
+        find_covers(mesh, memory.triangle_ranges.span(), bounds, memory.covers_of_range, tasks);
+    tasks.for_each(patches.size(), [&](std::size_t k, std::size_t) {
+        const SamplePatch& patch = patches[k];
         const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
-        if (is_covered(mesh, memory.covers, patch.bounds, samples, points))
-            memory.covered[covered++] = patch.range;
+        memory.is_covered[k] =
+            !samples.empty() && is_covered(mesh, memory.covers, patch.bounds, samples, points);
+    });
+    std::size_t covered = 0, open = 0;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        if (patches[k].range.count == 0) continue;
+        if (memory.is_covered[k])
+            memory.covered[covered++] = patches[k].range;
         else
-            memory.open[open++] = patch;
+            memory.open[open++] = patches[k];
     }
     memory.covered.resize(covered);
     memory.open.resize(open);
@@ -168,7 +175,7 @@ void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
         memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
         count += mesh.range_count[k];
     }
-    find_covered(mesh, patches, bounds, points, memory);
+    find_covered(mesh, patches, bounds, points, memory, tasks);
 
     const auto triangles = mesh.in_view.span();
     const auto ranges = memory.triangle_ranges.span();

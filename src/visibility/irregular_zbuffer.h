@@ -36,11 +36,13 @@ struct CellWorker {
 struct IrregularMemory {
     std::span<const IrregularSample> samples;
     CoverList covers;
+    Buffer<CoverList> covers_of_range;
     PatchMemory patches;
     IrregularCells cells;
-    Buffer<SamplePatch> open;    // patches that are not
-    Buffer<SampleRange> loose;   // samples that go to the cells
-    Buffer<SampleRange> covered; // samples that one triangle shadows, all of a patch
+    Buffer<SamplePatch> open;        // patches that are not
+    Buffer<std::uint8_t> is_covered; // (patches) while these are told apart
+    Buffer<SampleRange> loose;       // samples that go to the cells
+    Buffer<SampleRange> covered;     // samples that one triangle shadows, all of a patch
     std::vector<std::unique_ptr<CellWorker>> workers;
     Buffer<SampleRange> triangle_ranges;
     Tasks serial{1};
