@@ -19,7 +19,7 @@ struct HitPlaces {
 
 /// Room for the hits of some tiles.
 struct HitMemory {
-    Buffer<HitRun> run; // (tiles, samples); a tile fills the start of its part
+    Buffer<HitRun, Pages::small> run; // (tiles, samples); a tile fills the start of its part
     Buffer<std::uint32_t> item;
     Buffer<float> t, u, v;   // (tiles, samples)
     std::size_t samples = 0; // of a tile

@@ -48,11 +48,11 @@ struct ShadowMemory {
     LightMesh mesh;
     IrregularMemory irregular;
     SampleGrid grid;
-    std::vector<GridShadowCounts> grid_counts; // (threads)
-    Buffer<IrregularSample> samples;           // (chunks, chunk_room)
-    std::vector<FaceParts> parts;              // (chunks)
-    Buffer<SamplePatch> patches;               // (chunks) of one face
-    Buffer<std::uint8_t> shadowed;             // (points) of one light
+    std::vector<GridShadowCounts> grid_counts;     // (threads)
+    Buffer<IrregularSample, Pages::small> samples; // (chunks, chunk_room)
+    std::vector<FaceParts> parts;                  // (chunks)
+    Buffer<SamplePatch> patches;                   // (chunks) of one face
+    Buffer<std::uint8_t> shadowed;                 // (points) of one light
     std::vector<std::unique_ptr<ShadowWorker>> workers;
     ShadowEffort effort; // so far; take_effort moves it away
 };

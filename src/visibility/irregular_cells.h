@@ -49,12 +49,12 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
-    Buffer<IrregularSample> samples;    // by cell
-    Buffer<std::uint32_t> sample_start; // (cells + 1)
-    SeenBins seen;                      // by cell
-    Buffer<std::uint32_t> cursor;       // (shares, cells), while sorting
-    Buffer<std::uint16_t> cell_of;      // (samples), while sorting
-    Buffer<CellRect> rect_of;           // (triangles), while sorting
+    Buffer<IrregularSample, Pages::small> samples; // by cell
+    Buffer<std::uint32_t> sample_start;            // (cells + 1)
+    SeenBins seen;                                 // by cell
+    Buffer<std::uint32_t> cursor;                  // (shares, cells), while sorting
+    Buffer<std::uint16_t> cell_of;                 // (samples), while sorting
+    Buffer<CellRect> rect_of;                      // (triangles), while sorting
 
     std::span<const IrregularSample> samples_of(std::size_t cell) const
     {
