@@ -162,9 +162,37 @@ void resolve_batch(
     batch.count = 0;
 }
 
+/// Asks for the memory of the triangles of runs to come: of their indices, and some later of their
+/// corners. Tiny triangles are rasterised before there is a tile, so nobody has fetched them lately.
+class AskAhead {
+  public:
+    AskAhead(const ViewMemory& view, std::span<const HitRun> runs) : view_(view), runs_(runs) {}
+
+    /// done  runs that are
+    HWY_INLINE void go_on(std::size_t done)
+    {
+        constexpr std::size_t kCorners = 96, kIndices = 192; // runs ahead
+        for (const std::size_t end = std::min(runs_.size(), done + kIndices); index_ < end;
+             ++index_)
+            __builtin_prefetch(&view_.index[runs_[index_].item]);
+        corner_ = std::max(corner_, done);
+        for (const std::size_t end = std::min(runs_.size(), done + kCorners); corner_ < end;
+             ++corner_) {
+            const glm::uvec3& index = view_.index[runs_[corner_].item];
+            for (int k = 0; k < 3; ++k) __builtin_prefetch(&view_.corner[index[k]]);
+        }
+    }
+
+  private:
+    const ViewMemory& view_;
+    std::span<const HitRun> runs_;
+    std::size_t index_ = 0, corner_ = 0;
+};
+
 std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
 {
     const std::size_t count = find_runs(items, places);
+    AskAhead ahead(view, {places.run, count});
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {
@@ -172,6 +200,7 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
             ++end;
         const std::span<HitRun> runs(places.run + first, end - first);
         if (runs.size() >= kManyRuns) {
+            ahead.go_on(end);
             resolve_samples(view, items, runs, places);
             continue;
         }
