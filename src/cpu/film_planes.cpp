@@ -192,8 +192,11 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     const ShadeTargets& shaded, Film& film)
 {
     const PixelRect rect = pixels_of(place);
-    const auto copy_shaded = [&](std::span<const float* const> from, Plane& to) {
-        if (from[0]) copy_plane(rect, film, hits.size, from, to.value.data());
+    const auto copy_shaded = [&]<std::size_t kChannels>(float* const(&from)[kChannels], Plane& to) {
+        if (!from[0]) return;
+        std::array<const float*, kChannels> planes;
+        std::copy_n(from, kChannels, planes.begin());
+        copy_plane(rect, film, hits.size, planes, to.value.data());
     };
     if (place.samples == 1) {
         copy_shaded(shaded.color, film.color);
