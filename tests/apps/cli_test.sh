@@ -1,18 +1,7 @@
 #!/usr/bin/env bash
 # cli_test.sh - the program as a user meets it: exit codes, messages, files. Usage: cli_test.sh PROGRAM
-set -uo pipefail
-program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-checks=0
-failures=0
-
-fail()
-{
-    echo "FAILED: $1"
-    failures=$((failures + 1))
-}
+# shellcheck source=tests/apps/cli_checks.sh
+source "$(dirname "$0")/cli_checks.sh"
 
 # expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr ("" for any).
 expect()
