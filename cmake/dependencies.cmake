@@ -8,8 +8,8 @@ function(firsthit_need name package)
     set(${name}_VERSION ${${name}_VERSION} PARENT_SCOPE)
 endfunction()
 
+find_package(Threads REQUIRED)
 firsthit_need(glm libglm-dev)
-firsthit_need(TBB libtbb-dev)
 firsthit_need(hwy libhwy-dev)
 firsthit_need(assimp libassimp-dev)
 firsthit_need(PNG libpng-dev)
@@ -23,7 +23,7 @@ if(NOT FIRSTHIT_STB_INCLUDE)
 endif()
 
 # Debian's hwy package exports its target under this name only.
-set(FIRSTHIT_PRIVATE_LIBRARIES TBB::tbb hwy::hwy assimp::assimp PNG::PNG OpenEXR::OpenEXR fmt::fmt)
+set(FIRSTHIT_PRIVATE_LIBRARIES Threads::Threads hwy::hwy assimp::assimp PNG::PNG OpenEXR::OpenEXR fmt::fmt)
 if(FIRSTHIT_BUILD_EMBREE)
     firsthit_need(embree libembree-dev 3)
     list(APPEND FIRSTHIT_PRIVATE_LIBRARIES embree)

@@ -1,15 +1,12 @@
-// tasks.h - runs loops on a fixed number of threads (oneTBB).
+// tasks.h - runs loops on a fixed number of threads.
 #pragma once
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
+#include "base/team.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <thread>
 
 namespace firsthit {
@@ -18,17 +15,16 @@ namespace firsthit {
 class Tasks {
   public:
     /// threads  0: one for each core
-    explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores()), arena_(threads_)
+    explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores())
     {
-        // TBB keeps to the number of cores unless told otherwise.
-        if (threads_ > cores())
-            more_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads_));
+        if (threads_ > 1) team_ = std::make_unique<Team>(threads_ - 1);
     }
 
     int threads() const { return threads_; }
 
     /// Calls body(i, worker) for each i in [0, count), as workers become free. worker is below
     /// threads(), and no two calls with the same worker overlap.
+    /// throws  the first error that body threw; what had not begun by then is left out
     template <class Body>
     void for_each(std::size_t count, const Body& body)
     {
@@ -37,18 +33,17 @@ class Tasks {
             return;
         }
         std::atomic<std::size_t> next{0};
-        started_.fetch_add(1, std::memory_order_release);
-        arena_.execute([&] {
-            tbb::parallel_for(
-                std::size_t(0), std::size_t(threads_),
-                [&](std::size_t worker) {
-                    (void)started_.load(std::memory_order_acquire);
-                    for (std::size_t i = next++; i < count; i = next++) body(i, worker);
-                    finished_.fetch_add(1, std::memory_order_release);
-                },
-                tbb::simple_partitioner());
-        });
-        (void)finished_.load(std::memory_order_acquire);
+        auto share = [&](std::size_t worker) {
+            try {
+                for (std::size_t i = next++; i < count; i = next++) body(i, worker);
+            } catch (...) {
+                next = count;
+                throw;
+            }
+        };
+        team_->run(
+            {[](void* s, std::size_t worker) { (*static_cast<decltype(share)*>(s))(worker); },
+                &share});
     }
 
     /// Calls body(first, last) for ranges of `grain` that cover [0, count).
@@ -64,11 +59,7 @@ class Tasks {
     static int cores() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
     int threads_;
-    // TBB orders the workers' memory by itself, but a thread sanitizer does not see into TBB: these
-    // say the same in words that it knows.
-    std::atomic<std::size_t> started_{0}, finished_{0};
-    std::optional<tbb::global_control> more_;
-    tbb::task_arena arena_;
+    std::unique_ptr<Team> team_; // null: the caller's thread is all there is
 };
 
 } // namespace firsthit

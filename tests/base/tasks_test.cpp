@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -92,6 +94,66 @@ TEST(Tasks, PassErrorsOn)
                          }),
             std::runtime_error);
     }
+}
+
+TEST(Tasks, StopBeginningCallsAfterAnError)
+{
+    Tasks tasks(2);
+    std::atomic<int> calls{0};
+    EXPECT_THROW(tasks.for_each(1u << 30,
+                     [&](std::size_t, std::size_t) {
+                         if (++calls == 100) throw std::runtime_error("a hundred");
+                     }),
+        std::runtime_error);
+    EXPECT_LT(calls, 1 << 30);
+    calls = 0;
+    tasks.for_each(1000, [&](std::size_t, std::size_t) { ++calls; });
+    EXPECT_EQ(calls, 1000) << "the next loop";
+}
+
+TEST(Tasks, HelpAgainAfterTheyFellAsleep)
+{
+    Tasks tasks(2);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    for (int round = 0; round < 3; ++round) {
+        std::atomic<int> inside{0};
+        tasks.for_each(2, [&](std::size_t, std::size_t) {
+            ++inside;
+            while (inside < 2 && std::chrono::steady_clock::now() < deadline)
+                std::this_thread::yield();
+        });
+        ASSERT_EQ(inside, 2);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    EXPECT_LT(std::chrono::steady_clock::now(), deadline);
+}
+
+TEST(Tasks, KeepManyShortLoopsApart)
+{
+    Tasks tasks(3);
+    std::uint64_t sum = 0;
+    for (std::uint64_t loop = 0; loop < 20000; ++loop) {
+        std::array<std::uint64_t, 3> of_worker{}; // gone when the next loop begins
+        tasks.for_each(
+            4, [&, loop](std::size_t i, std::size_t worker) { of_worker[worker] += loop * 4 + i; });
+        sum += of_worker[0] + of_worker[1] + of_worker[2];
+    }
+    EXPECT_EQ(sum, std::uint64_t(80000) * 79999 / 2);
+}
+
+TEST(Tasks, LoopInsideOfALoopAndBesideIt)
+{
+    Tasks tasks(3);
+    std::atomic<int> calls{0};
+    const auto nested = [&] {
+        tasks.for_each(50, [&](std::size_t, std::size_t) {
+            tasks.for_each(20, [&](std::size_t, std::size_t) { ++calls; });
+        });
+    };
+    std::thread other(nested);
+    nested();
+    other.join();
+    EXPECT_EQ(calls, 2 * 50 * 20);
 }
 
 } // namespace
