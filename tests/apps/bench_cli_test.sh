@@ -46,6 +46,17 @@ expect 1 'x.json' --paper --json nothing/x.json
 expect 1 'is no folder' --paper -o file
 expect 1 'is no folder' --paper -o file/below
 expect_files file
+echo x >broken.aff
+for mode in --paper --peers; do
+    expect 1 'broken.aff:2:' "$mode" "${quick[@]}" --bart broken.aff -o new/deep
+    checks=$((checks + 1))
+    [ ! -e new ] || fail "bench $mode leaves an empty folder behind"
+    mkdir -p old
+    expect 1 'broken.aff:2:' "$mode" "${quick[@]}" --bart broken.aff -o old/deep
+    checks=$((checks + 1))
+    [ -d old ] && [ ! -e old/deep ] || fail "bench $mode removes a folder that was there, or leaves its own"
+done
+expect_files broken.aff
 
 expect 0 'The page is out/deep/index.html' --paper "${quick[@]}" -o out/deep/
 grep -q 'Table 4' stdout || fail "the tables are not printed"

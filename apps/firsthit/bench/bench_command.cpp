@@ -18,8 +18,8 @@ int run_bench(const BenchOptions& options)
 {
     check(options);
     // A folder that cannot be made is said before minutes are spent.
-    const std::string folder = output_folder(options);
-    if (!folder.empty()) make_folder(folder);
+    const ReportFolder made(output_folder(options));
+    const std::string& folder = made.path();
     Report report;
     const Machine machine = describe_machine();
     report.json["machine"] = machine_json(machine);

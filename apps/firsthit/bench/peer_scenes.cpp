@@ -111,6 +111,7 @@ std::vector<PeerScene> peer_scenes(const BenchOptions& options)
     if (options.quick) {
         scenes.push_back(peer_scene("torus, twisting", twisting(load_scene("builtin:torus"))));
         scenes.push_back(peer_scene("wave, 10^3", load_scene("builtin:wave?n=1000")));
+        if (!options.bart.empty()) add_robots(options, scenes);
         return scenes;
     }
     add_bunny(options, scenes);

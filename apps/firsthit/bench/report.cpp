@@ -10,15 +10,37 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace firsthit::cli::bench {
 
-void make_folder(const std::string& folder)
+ReportFolder::ReportFolder(std::string path) : path_(std::move(path))
 {
+    if (path_.empty()) return;
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw FileError(fmt::format("{}: cannot make the folder: {}", folder, error.message()));
+    const std::filesystem::path whole = std::filesystem::absolute(path_, error).lexically_normal();
+    std::filesystem::path part;
+    for (const std::filesystem::path& step : whole) {
+        part /= step;
+        if (!std::filesystem::exists(part, error)) made_.push_back(part);
+    }
+    std::filesystem::create_directories(path_, error);
+    if (!error) return;
+    remove_empty();
+    throw FileError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+}
+
+ReportFolder::~ReportFolder()
+{
+    remove_empty();
+}
+
+void ReportFolder::remove_empty()
+{
+    // A folder with something in it stays, and those that it is in.
+    std::error_code error;
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+        std::filesystem::remove(*folder, error);
 }
 
 void write_report(const Report& report, const std::string& folder)

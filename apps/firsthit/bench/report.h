@@ -3,7 +3,9 @@
 
 #include "bench/page.h"
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace firsthit::cli::bench {
 
@@ -20,8 +22,24 @@ struct Report {
     }
 };
 
-/// With the folders that it is in, where it is missing. throws  FileError
-void make_folder(const std::string& folder);
+/// A folder for what will be written later: made now, where it is missing, and gone again if nothing was.
+class ReportFolder {
+  public:
+    /// path  empty: no folder
+    /// throws  FileError: it cannot be made
+    explicit ReportFolder(std::string path);
+    ~ReportFolder();
+    ReportFolder(const ReportFolder&) = delete;
+    ReportFolder& operator=(const ReportFolder&) = delete;
+
+    const std::string& path() const { return path_; }
+
+  private:
+    void remove_empty();
+
+    std::string path_;
+    std::vector<std::filesystem::path> made_; // the outermost first
+};
 
 /// DIR/index.html and DIR/bench.json, each whole or not at all, in a folder that is there.
 /// throws  FileError

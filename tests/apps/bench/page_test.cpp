@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace firsthit::cli::bench {
@@ -99,8 +100,10 @@ TEST(Report, IsWrittenIntoAFolderThatIsMade)
     const TemporaryFolder folder;
     Report report;
     report.json["paper"] = 7;
-    make_folder(folder / "new/deep");
-    write_report(report, folder / "new/deep");
+    {
+        const ReportFolder made(folder / "new/deep");
+        write_report(report, made.path());
+    }
     EXPECT_EQ(bytes_of(folder / "new/deep/bench.json"), "{\n  \"paper\": 7\n}\n");
     EXPECT_EQ(bytes_of(folder / "new/deep/index.html"), report.page.html());
 }
@@ -109,8 +112,28 @@ TEST(Report, AFolderThatCannotBeMadeIsNamed)
 {
     const TemporaryFolder folder;
     folder.write("file", "x");
-    EXPECT_THROW(make_folder(folder / "file/below"), FileError);
+    EXPECT_THROW(ReportFolder(folder / "file/below"), FileError);
     EXPECT_THROW(write_report(Report(), folder / "nowhere"), FileError);
+}
+
+TEST(Report, AFolderWithoutAReportGoesAgainUnlessItWasThereBefore)
+{
+    const TemporaryFolder folder;
+    folder.write("old/file", "x");
+    for (const char* name : {"new", "new/deep/", "old", "old/new", "old/../new"}) {
+        {
+            const ReportFolder made(folder / name);
+            EXPECT_TRUE(std::filesystem::is_directory(made.path())) << name;
+        }
+        EXPECT_FALSE(std::filesystem::exists(folder / "new")) << name;
+        EXPECT_FALSE(std::filesystem::exists(folder / "old/new")) << name;
+        EXPECT_TRUE(std::filesystem::exists(folder / "old/file")) << name;
+    }
+    std::filesystem::create_directory(folder / "empty");
+    {
+        const ReportFolder made(folder / "empty");
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder / "empty"));
 }
 
 Picture two_by_one()
