@@ -6,6 +6,7 @@
 #include "shadow/raster_depth.h"
 #include "visibility/sample_registers-inl.h"
 #include "visibility/set_up-inl.h"
+#include "visibility/triangle_box.h"
 
 #include <firsthit/scene.h>
 
@@ -19,6 +20,12 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
+using Wide = hn::CappedTag<double, 8>;
+using Narrow = hn::Rebind<float, Wide>;
+
+/// Of an edge, far beyond what its slopes reach in a tile (see kFlattest in visibility/project.cpp).
+constexpr double kOutside = -0x1p100;
+
 /// No number gives the least.
 template <class D>
 HWY_INLINE hn::Vec<D> between(D, hn::Vec<D> w, hn::Vec<D> least, hn::Vec<D> greatest)
@@ -26,14 +33,77 @@ HWY_INLINE hn::Vec<D> between(D, hn::Vec<D> w, hn::Vec<D> least, hn::Vec<D> grea
     return hn::Min(hn::IfThenElse(hn::Gt(w, least), w, least), greatest);
 }
 
-/// Edges and depth of one register of the batch, starting with number i. Computed in double and
-/// rounded once; edges are at most 1 over the triangle's box, so that kEdgeError bounds their error.
-void set_up_depth(DepthTile& tile, int i, float x0, float y0)
+/// Inside is where edges, computed in float, are not below zero: c has the bound of their error added,
+/// kEdgeError of what they reach in the tile's box.
+HWY_INLINE hn::Vec<Wide> with_error(
+    DepthTile& tile, int i, hn::Vec<Wide> gx, hn::Vec<Wide> gy, hn::Vec<Wide> c)
 {
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<float, decltype(d)> f;
-    const hn::Rebind<std::int32_t, decltype(d)> w;
-    using V = hn::Vec<decltype(d)>;
+    const Wide d;
+    const hn::Rebind<std::int32_t, Wide> w;
+    const auto extent_x = hn::PromoteTo(d, hn::Load(w, tile.x1 + i));
+    const auto extent_y = hn::PromoteTo(d, hn::Load(w, tile.y1 + i));
+    const auto size = hn::Add(
+        hn::Abs(c), hn::Add(hn::Mul(extent_x, hn::Abs(gx)), hn::Mul(extent_y, hn::Abs(gy))));
+    return hn::Add(c, hn::Mul(size, hn::Set(d, double(kEdgeError))));
+}
+
+/// Edges and depth of one register of the batch, starting with number i, from flat corners. Computed
+/// in double and rounded once.
+void set_up_flat(DepthTile& tile, int i, float x0, float y0)
+{
+    const Wide d;
+    const Narrow f;
+    using V = hn::Vec<Wide>;
+    const auto load = [&](int axis) {
+        return hn::PromoteTo(d, hn::Load(f, tile.corner[axis] + i));
+    };
+    const auto store = [&](V v, float* to) { hn::Store(hn::DemoteTo(f, v), f, to + i); };
+    V x[3], y[3];
+    for (int k = 0; k < 3; ++k) {
+        x[k] = hn::Sub(load(3 * k), hn::Set(d, double(x0)));
+        y[k] = hn::Sub(load(3 * k + 1), hn::Set(d, double(y0)));
+    }
+    const V w0 = load(2), w1 = hn::Sub(load(5), w0), w2 = hn::Sub(load(8), w0);
+    V gx[3], gy[3], c[3];
+    for (int k = 0; k < 3; ++k) {
+        const int p = (k + 1) % 3, q = (k + 2) % 3;
+        gx[k] = hn::Sub(y[p], y[q]);
+        gy[k] = hn::Sub(x[q], x[p]);
+        c[k] = hn::Sub(hn::Mul(x[p], y[q]), hn::Mul(y[p], x[q]));
+    }
+    // Twice the area, exact but for its last sum: corners' differences are exact or lose what float
+    // cannot show.
+    const V area = hn::Sub(hn::Mul(gx[1], gy[2]), hn::Mul(gy[1], gx[2]));
+    const auto edge_on = hn::Eq(area, hn::Zero(d));
+    const V sense = hn::And(area, hn::Set(d, -0.0));
+    for (int k = 0; k < 3; ++k) {
+        const auto inwards = [&](V v) { return hn::Xor(v, sense); };
+        const V at = with_error(tile, i, gx[k], gy[k], inwards(c[k]));
+        store(inwards(gx[k]), tile.gx[k]);
+        store(inwards(gy[k]), tile.gy[k]);
+        // Seen edge-on it covers nothing.
+        store(hn::IfThenElse(edge_on, hn::Set(d, kOutside), at), tile.c[k]);
+    }
+    const V inverse_area = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(edge_on, hn::Set(d, 1.0), area));
+    const auto slope = [&](const V(&e)[3]) {
+        return hn::Mul(hn::Add(hn::Mul(e[1], w1), hn::Mul(e[2], w2)), inverse_area);
+    };
+    store(slope(gx), tile.wx);
+    store(slope(gy), tile.wy);
+    store(hn::Add(w0, slope(c)), tile.wc);
+
+    // Its depths lie between those of its corners, whatever rounding says.
+    const auto w = [&](int axis) { return hn::Load(f, tile.corner[axis] + i); };
+    hn::Store(hn::Min(w(2), hn::Min(w(5), w(8))), f, tile.least_w + i);
+    hn::Store(hn::Max(w(2), hn::Max(w(5), w(8))), f, tile.greatest_w + i);
+}
+
+/// The same from corners in eye space, some of which are behind the eye.
+void set_up_careful(DepthTile& tile, int i, float x0, float y0)
+{
+    const Wide d;
+    const Narrow f;
+    using V = hn::Vec<Wide>;
     const auto load = [&](int axis) {
         return hn::PromoteTo(d, hn::Load(f, tile.corner[axis] + i));
     };
@@ -46,20 +116,20 @@ void set_up_depth(DepthTile& tile, int i, float x0, float y0)
     };
     const auto store = [&](V v, float* to) { hn::Store(hn::DemoteTo(f, v), f, to + i); };
 
-    const V extent_x = hn::PromoteTo(d, hn::Load(w, tile.x1 + i));
-    const V extent_y = hn::PromoteTo(d, hn::Load(w, tile.y1 + i));
-    const V facing = hn::CopySign(one, p.volume);
     const auto edge_on = hn::Eq(p.volume, hn::Zero(d));
     for (int k = 0; k < 3; ++k) {
         const Vector3<V>& n = p.edge[k];
         const V at = at_first(n);
-        const V size = hn::Add(
-            hn::Abs(at), hn::Add(hn::Mul(extent_x, hn::Abs(n.x)), hn::Mul(extent_y, hn::Abs(n.y))));
-        const V scale = hn::Div(facing, size);
-        store(hn::Mul(n.x, scale), tile.gx[k]);
-        store(hn::Mul(n.y, scale), tile.gy[k]);
+        // Scaled to at most 1 over the tile, so that they are floats.
+        const V side = hn::Set(d, double(tile.size));
+        const V size = hn::Add(hn::Abs(at), hn::Mul(side, hn::Add(hn::Abs(n.x), hn::Abs(n.y))));
+        const V scale = hn::Div(hn::CopySign(one, p.volume), size);
+        const V gx = hn::Mul(n.x, scale), gy = hn::Mul(n.y, scale);
+        store(gx, tile.gx[k]);
+        store(gy, tile.gy[k]);
+        const V c = with_error(tile, i, gx, gy, hn::Mul(at, scale));
         // Seen edge-on it covers nothing.
-        store(hn::IfThenElse(edge_on, hn::Neg(one), hn::Mul(at, scale)), tile.c[k]);
+        store(hn::IfThenElse(edge_on, hn::Set(d, kOutside), c), tile.c[k]);
     }
     const V inverse_volume = hn::Div(one, p.volume);
     store(hn::Mul(p.n.x, inverse_volume), tile.wx);
@@ -102,7 +172,7 @@ void set_up_tiny(DepthTile& tile, int i)
         };
         const auto edge = [&](int e) { return at(tile.gx[e], tile.gy[e], tile.c[e]); };
         const auto least = hn::Min(edge(0), hn::Min(edge(1), edge(2)));
-        const auto inside = hn::And(tiny, hn::Gt(least, hn::Set(f, -kEdgeError)));
+        const auto inside = hn::And(tiny, hn::Ge(least, hn::Zero(f)));
         const auto depth = between(f, at(tile.wx, tile.wy, tile.wc), least_w, greatest_w);
         hn::Store(hn::IfThenElseZero(inside, depth), f, tile.tiny_w[k] + i);
     }
@@ -127,7 +197,6 @@ HWY_INLINE void raster_triangle(DepthTile& tile, int i)
     const auto gx0 = set(tile.gx[0][i]), gx1 = set(tile.gx[1][i]), gx2 = set(tile.gx[2][i]),
                wx = set(tile.wx[i]);
     const auto least_w = set(tile.least_w[i]), greatest_w = set(tile.greatest_w[i]);
-    const auto inside_from = set(-kEdgeError);
     const int first_x = tile.x0[i] & -columns(d), first_y = tile.y0[i] & -rows(d);
     for (int y = first_y; y <= tile.y1[i]; y += rows(d)) {
         const auto py = hn::Add(set(float(y)), lane.y);
@@ -138,7 +207,7 @@ HWY_INLINE void raster_triangle(DepthTile& tile, int i)
             const auto px = hn::Add(set(float(x)), lane.x);
             const auto along = [&](auto g, auto r) { return hn::Add(hn::Mul(g, px), r); };
             const auto least = hn::Min(along(gx0, r0), hn::Min(along(gx1, r1), along(gx2, r2)));
-            const auto inside = hn::Gt(least, inside_from);
+            const auto inside = hn::Ge(least, hn::Zero(d));
             float* at = tile.w.data() + tile.column_offset[x] + tile.row_offset[y];
             const auto stored = hn::Load(d, at);
             const auto w = between(d, along(wx, rw), least_w, greatest_w);
@@ -147,10 +216,15 @@ HWY_INLINE void raster_triangle(DepthTile& tile, int i)
     }
 }
 
+template <CornerSpace kSpace>
 void raster_batch(DepthTile& tile, float x0, float y0)
 {
-    for (int i = 0; i < tile.count; i += int(hn::Lanes(hn::CappedTag<double, 8>())))
-        set_up_depth(tile, i, x0, y0);
+    for (int i = 0; i < tile.count; i += int(hn::Lanes(Wide()))) {
+        if constexpr (kSpace == CornerSpace::flat)
+            set_up_flat(tile, i, x0, y0);
+        else
+            set_up_careful(tile, i, x0, y0);
+    }
     for (int i = 0; i < tile.count; i += int(hn::Lanes(hn::CappedTag<float, 8>())))
         set_up_tiny(tile, i);
     // Sorted by kind without branches, which would often be guessed wrong.
@@ -166,12 +240,14 @@ void raster_batch(DepthTile& tile, float x0, float y0)
     tile.count = 0;
 }
 
+template <CornerSpace kSpace>
 HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, DepthTile& tile)
 {
     const int i = tile.count++;
     const glm::uvec3 index = view.index[entry.triangle];
     for (int k = 0; k < 3; ++k) {
-        const glm::vec4& p = view.corner[index[k]];
+        const glm::vec3 p = kSpace == CornerSpace::flat ? glm::vec3(view.corner[index[k]])
+                                                        : eye_corner(view, index[k]);
         tile.corner[3 * k][i] = p.x;
         tile.corner[3 * k + 1][i] = p.y;
         tile.corner[3 * k + 2][i] = p.z;
@@ -213,14 +289,19 @@ void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y
     merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
     // Large triangles first: what they hide changes no depth and is left out, as all behind a roof.
     const int half = view.tile_size / 2;
-    bool any_large = false;
+    bool any_large = false, any_behind = false;
+    const auto raster = [&](const TileEntry& entry) {
+        gather<CornerSpace::flat>(view, entry, tile);
+        if (tile.count == DepthTile::kBatch) raster_batch<CornerSpace::flat>(tile, x0, y0);
+    };
+    const auto is_behind = [](const TileEntry& entry) { return !(entry.nearest_z > 0); };
     for (const TileEntry& entry : entries) {
-        if (!is_large(entry, half)) continue;
+        any_behind |= is_behind(entry);
+        if (is_behind(entry) || !is_large(entry, half)) continue;
         any_large = true;
-        gather(view, entry, tile);
-        if (tile.count == DepthTile::kBatch) raster_batch(tile, x0, y0);
+        raster(entry);
     }
-    raster_batch(tile, x0, y0);
+    raster_batch<CornerSpace::flat>(tile, x0, y0);
     const float least = any_large ? least_of(tile) : 0.0f;
 
     constexpr std::size_t kIndices = 24, kCorners = 12; // entries ahead
@@ -228,17 +309,23 @@ void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y
         if (n + kIndices < entries.size())
             hwy::Prefetch(&view.index[entries[n + kIndices].triangle]);
         const TileEntry& entry = entries[n];
-        // The greatest w that it can leave, as set-up finds it.
-        if (entry.nearest_z > 0 && 1.0f / entry.nearest_z <= least) continue;
+        // The greatest w that it can leave.
+        if (is_behind(entry) || 1.0f / entry.nearest_z <= least) continue;
         if (any_large && is_large(entry, half)) continue;
         if (n + kCorners < entries.size()) {
             const glm::uvec3& index = view.index[entries[n + kCorners].triangle];
             for (int k = 0; k < 3; ++k) hwy::Prefetch(&view.corner[index[k]]);
         }
-        gather(view, entry, tile);
-        if (tile.count == DepthTile::kBatch) raster_batch(tile, x0, y0);
+        raster(entry);
     }
-    raster_batch(tile, x0, y0);
+    raster_batch<CornerSpace::flat>(tile, x0, y0);
+    if (!any_behind) return;
+    for (const TileEntry& entry : entries) {
+        if (!is_behind(entry)) continue;
+        gather<CornerSpace::eye>(view, entry, tile);
+        if (tile.count == DepthTile::kBatch) raster_batch<CornerSpace::eye>(tile, x0, y0);
+    }
+    raster_batch<CornerSpace::eye>(tile, x0, y0);
 }
 
 } // namespace

@@ -35,7 +35,7 @@ void raster_part(
         view.tiles_y = (part.height + kTile - 1) / kTile;
         view.tile_of.resize(std::size_t(longest));
         for (int k = 0; k < longest; ++k) view.tile_of[std::size_t(k)] = std::uint8_t(k / kTile);
-        project_vertices(world.position, view, tasks);
+        project_vertices(world.position, view, tasks, CornerSpace::flat);
         seen = bin_triangles(world.scene->index, view, tasks, TinyTriangles::depths);
     }
     if (!seen) {

@@ -3,51 +3,24 @@
 #define HWY_TARGET_INCLUDE "visibility/find_in_view.cpp"
 #include "base/simd.h"
 
+#include "visibility/corner_registers-inl.h"
 #include "visibility/find_in_view.h"
+#include "visibility/flat_triangles-inl.h"
 #include "visibility/fragment_places-inl.h"
 #include "visibility/tiny_triangles-inl.h"
 #include "visibility/triangle_box.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Words = hn::CappedTag<std::int32_t, 16>;
-
-/// Triangles whose boxes are found together.
-constexpr std::size_t kGroup = 64;
-
-/// Least and most of each triangle's corners, of a group of `count`.
-struct GroupSamples {
-    alignas(64) VertexSamples least[kGroup], most[kGroup];
-
-    HWY_INLINE void find(const glm::vec4* HWY_RESTRICT corner, const glm::uvec3* HWY_RESTRICT index,
-        std::size_t count)
-    {
-        for (std::size_t i = 0; i < count; ++i) {
-            const float *a = &corner[index[i].x].w, *b = &corner[index[i].y].w,
-                        *c = &corner[index[i].z].w;
-#if HWY_TARGET == HWY_SCALAR
-            const auto load = [](const float* v) { return std::bit_cast<VertexSamples>(*v); };
-            const VertexSamples p = load(a), q = load(b), r = load(c);
-            least[i] = {std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y})};
-            most[i] = {std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y})};
-#else
-            const hn::FixedTag<std::int16_t, 2> d;
-            const hn::FixedTag<float, 1> f;
-            const auto load = [&](const float* v) { return hn::BitCast(d, hn::LoadU(f, v)); };
-            const auto p = load(a), q = load(b), r = load(c);
-            hn::StoreU(hn::Min(hn::Min(p, q), r), d, &least[i].x);
-            hn::StoreU(hn::Max(hn::Max(p, q), r), d, &most[i].x);
-#endif
-        }
-    }
-};
+using Words = TinyList::Words;
+using Corner = CornerRegisters<TinyList::D>;
 
 /// One range of triangles on the way.
 struct Search {
@@ -59,7 +32,6 @@ struct Search {
     FragmentTarget found;
     RangeCount count{};
     TinyList tiny, small, other; // boxes of at most 2x2 samples, 4x4, and more
-    TinyCorners corners;
 
     /// Number i of the list becomes an entry of the tiles that its box meets.
     void keep(const TinyList& list, int i)
@@ -73,24 +45,11 @@ struct Search {
             const auto low = [](std::int32_t v) { return std::int16_t(v & 0xFFFF); };
             const auto high = [](std::int32_t v) { return std::int16_t(v >> 16); };
             const std::int32_t first = list.first[i], last = first + list.steps[i];
-            const auto z = [&](std::uint32_t v) { return memory.corner[v].z; };
-            box = {triangle, low(first), high(first), low(last), high(last),
-                std::min({z(index.x), z(index.y), z(index.z)})};
+            box = {
+                triangle, low(first), high(first), low(last), high(last), nearest_z(memory, index)};
         }
         for_tiles(box, memory, [&](int tx, int ty) { ++counts[ty * memory.tiles_x + tx]; });
         ++count.in_view;
-    }
-
-    HWY_INLINE void gather(const glm::vec4* HWY_RESTRICT corner,
-        const glm::uvec3* HWY_RESTRICT index, const TinyList& list, int triangles)
-    {
-        for (int i = 0; i < triangles; ++i) {
-            const glm::uvec3& at = index[list.triangle[i]];
-            const glm::vec4 a = corner[at.x], b = corner[at.y], c = corner[at.z];
-            std::memcpy(corners.corner[0][i], &a, sizeof(a));
-            std::memcpy(corners.corner[1][i], &b, sizeof(b));
-            std::memcpy(corners.corner[2][i], &c, sizeof(c));
-        }
     }
 
     /// From samples to places, and counts them by tile.
@@ -112,20 +71,27 @@ struct Search {
     }
 
     /// Tests the first triangles of the list.
-    template <int kSide, bool kDepths, class D>
-    void cover(D d, const TinyList& list, int triangles)
+    template <int kSide, CornerSpace kSpace>
+    void cover(TinyList& list, int triangles)
     {
-        gather(memory.corner.data(), memory.index.data(), list, triangles);
+        constexpr bool kFlat = kSpace == CornerSpace::flat;
+        const std::conditional_t<kFlat, TinyList::D, TinyItems> d;
         const std::uint32_t before = count.fragments;
         const int lanes = int(hn::Lanes(d));
-        for (int i = 0; i < triangles; i += lanes)
-            count.fragments =
-                cover_tiny<kSide, kDepths>(d, list, corners, i, std::min(lanes, triangles - i),
-                    float(memory.pencil.x0), float(memory.pencil.y0), found, count.fragments);
+        const float x0 = float(memory.pencil.x0), y0 = float(memory.pencil.y0);
+        for (int i = 0; i < triangles; i += lanes) {
+            const int meant = std::min(lanes, triangles - i);
+            if constexpr (kFlat)
+                count.fragments =
+                    cover_flat<kSide>(d, list, i, meant, x0, y0, found, count.fragments);
+            else
+                count.fragments =
+                    cover_tiny<kSide>(d, list, i, meant, x0, y0, found, count.fragments);
+        }
         place_fragments(before);
         count.tiny += std::uint32_t(triangles);
         for (int i = 0; i < triangles; ++i) {
-            if (!corners.open[i]) [[likely]]
+            if (!list.open[i]) [[likely]]
                 continue;
             keep(list, i);
             --count.tiny;
@@ -138,33 +104,73 @@ struct Search {
     {
         const int triangles = all ? list.count : TinyList::kFull;
         const int most = kSide * kSide * triangles + int(hn::Lanes(Marks())); // in whole registers
-        const bool room = count.fragments + std::uint32_t(most) <= memory.found_room;
         bool done = false;
         if constexpr (kSide > 0) {
-            done = room;
-            if (room && kind == TinyTriangles::depths)
-                cover<kSide, true>(TinyDepths(), list, triangles);
-            else if (room)
-                cover<kSide, false>(TinyItems(), list, triangles);
+            done = count.fragments + std::uint32_t(most) <= memory.found_room;
+            if (done && kind == TinyTriangles::depths)
+                cover<kSide, CornerSpace::flat>(list, triangles);
+            else if (done)
+                cover<kSide, CornerSpace::eye>(list, triangles);
         }
         for (int i = 0; i < triangles && !done; ++i) keep(list, i);
-        list.count -= triangles;
-        std::copy_n(list.triangle + triangles, list.count, list.triangle);
-        std::copy_n(list.first + triangles, list.count, list.first);
-        std::copy_n(list.steps + triangles, list.count, list.steps);
+        list.template drop<(kSide > 0)>(triangles);
     }
 };
 
+/// Least and most of each triangle's corners, as VertexSamples.
+struct Extremes {
+    hn::Vec<Words> least, most;
+
+    HWY_INLINE explicit Extremes(const Corner (&corner)[3])
+    {
+        const Words d;
+        const auto a = corner[0].samples(), b = corner[1].samples(), c = corner[2].samples();
+#if HWY_TARGET == HWY_SCALAR
+        const auto of = [](auto v) { return std::bit_cast<VertexSamples>(hn::GetLane(v)); };
+        const VertexSamples p = of(a), q = of(b), r = of(c);
+        const auto both = [&](int x, int y) { return hn::Set(d, (x & 0xFFFF) | y * 0x10000); };
+        least = both(std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}));
+        most = both(std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y}));
+#else
+        const hn::Repartition<std::int16_t, Words> halves;
+        const auto of = [&](auto v) { return hn::BitCast(halves, v); };
+        least = hn::BitCast(d, hn::Min(hn::Min(of(a), of(b)), of(c)));
+        most = hn::BitCast(d, hn::Max(hn::Max(of(a), of(b)), of(c)));
+#endif
+    }
+};
+
+/// A register of triangles with their boxes.
+struct Found {
+    hn::Vec<Words> triangle, first, steps; // see TinyList
+};
+
 /// Appends the lanes of the mask.
-HWY_INLINE void append(hn::Vec<Words> triangle, hn::Vec<Words> first, hn::Vec<Words> steps,
-    hn::Mask<Words> mask, TinyList& list)
+HWY_INLINE void append(const Found& found, hn::Mask<Words> mask, TinyList& list)
 {
     const Words d;
     const hn::RebindToUnsigned<Words> du;
-    hn::StoreU(hn::BitCast(du, hn::Compress(triangle, mask)), du, list.triangle + list.count);
-    hn::StoreU(hn::Compress(first, mask), d, list.first + list.count);
-    hn::StoreU(hn::Compress(steps, mask), d, list.steps + list.count);
+    hn::StoreU(hn::BitCast(du, hn::Compress(found.triangle, mask)), du, list.triangle + list.count);
+    hn::StoreU(hn::Compress(found.first, mask), d, list.first + list.count);
+    hn::StoreU(hn::Compress(found.steps, mask), d, list.steps + list.count);
     list.count += int(hn::CountTrue(d, mask));
+}
+
+/// The same with their corners.
+HWY_INLINE void append(
+    const Found& found, const Corner (&corner)[3], hn::Mask<Words> mask, TinyList& list)
+{
+    const TinyList::D d;
+    const auto lanes = hn::RebindMask(d, mask);
+    for (int k = 0; k < 3; ++k) {
+        const auto store = [&](auto v, int axis) {
+            hn::StoreU(hn::Compress(v, lanes), d, list.corner[3 * k + axis] + list.count);
+        };
+        store(corner[k].x(), 0);
+        store(corner[k].y(), 1);
+        store(corner[k].z(), 2);
+    }
+    append(found, mask, list);
 }
 
 void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
@@ -178,7 +184,7 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
         &memory.fragment_cursor[range * tiles], &memory.in_view[first],
         {memory.found.place.data() + found, memory.found.triangle.data() + found,
             memory.found.w.data() + found},
-        {}, {}, {}, {}, {}};
+        {}, {}, {}, {}};
     std::fill_n(search.counts, tiles, 0u);
     std::fill_n(search.fragment_counts, tiles, 0u);
 
@@ -193,40 +199,41 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
     const auto last_of = [&](auto most) {
         return hn::Sub(hn::ShiftRight<1>(hn::Add(most, one)), one);
     };
-    GroupSamples group;
-    for (std::size_t t = first; t < last; t += kGroup) {
-        const std::size_t count = std::min(kGroup, last - t);
-        group.find(memory.corner.data(), &memory.index[t], count);
-        for (std::size_t i = 0; i < count; i += lanes) {
-            const auto load = [&](const VertexSamples* from) {
-                return hn::Load(d, reinterpret_cast<const std::int32_t*>(from + i));
-            };
-            const auto least = load(group.least), most = load(group.most);
-            const auto x0 = first_of(low(least)), y0 = first_of(high(least));
-            const auto x1 = last_of(low(most)), y1 = last_of(high(most));
-            const auto steps_x = hn::Sub(x1, x0), steps_y = hn::Sub(y1, y0);
-            const auto behind = hn::Lt(x0, zero);
-            const auto holds = hn::Gt(hn::Min(steps_x, steps_y), minus_one);
-            const auto seen = hn::And(hn::FirstN(d, count - i), hn::Or(behind, holds));
-            if (hn::AllFalse(d, seen)) continue;
-            const auto inner = hn::And(
-                hn::Gt(hn::Min(x0, y0), zero), hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
-            const auto side = hn::Max(steps_x, steps_y);
-            const auto at_most = [&](int n) {
-                return hn::And(hn::And(seen, inner), hn::Lt(side, hn::Set(d, any_tiny ? n : 0)));
-            };
-            const auto is_tiny = at_most(2), is_small = hn::AndNot(is_tiny, at_most(4));
-            const auto triangle =
-                hn::Add(hn::Set(d, std::int32_t(t + i)), hn::Iota(d, std::int32_t(0)));
-            const auto begin = hn::Or(x0, hn::ShiftLeft<16>(y0)); // < 0: behind
-            const auto steps = hn::Or(steps_x, hn::ShiftLeft<16>(steps_y));
-            append(triangle, begin, steps, is_tiny, search.tiny);
-            if (hn::AllTrue(d, hn::Or(is_tiny, hn::Not(seen)))) continue;
-            append(triangle, begin, steps, is_small, search.small);
-            append(
-                triangle, begin, steps, hn::AndNot(hn::Or(is_tiny, is_small), seen), search.other);
+    alignas(64) std::uint32_t rest[3 * 16];
+    for (std::size_t t = first; t < last; t += lanes) {
+        const std::uint32_t* index = &memory.index[t].x;
+        if (t + lanes > last) {
+            // The last register is filled up with its last triangle.
+            for (std::size_t k = 0; k < lanes; ++k)
+                std::copy_n(&memory.index[std::min(t + k, last - 1)].x, 3, rest + 3 * k);
+            index = rest;
         }
+        const TinyList::D f;
+        const glm::vec4* corners = memory.corner.data();
+        const Corner corner[3] = {
+            {f, corners, index}, {f, corners, index + 1}, {f, corners, index + 2}};
+        const Extremes samples(corner);
+        const auto x0 = first_of(low(samples.least)), y0 = first_of(high(samples.least));
+        const auto x1 = last_of(low(samples.most)), y1 = last_of(high(samples.most));
+        const auto steps_x = hn::Sub(x1, x0), steps_y = hn::Sub(y1, y0);
+        const auto behind = hn::Lt(x0, zero);
+        const auto holds = hn::Gt(hn::Min(steps_x, steps_y), minus_one);
+        const auto seen = hn::And(hn::FirstN(d, last - t), hn::Or(behind, holds));
+        if (hn::AllFalse(d, seen)) continue;
+        const auto inner =
+            hn::And(hn::Gt(hn::Min(x0, y0), zero), hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
+        const auto side = hn::Max(steps_x, steps_y);
+        const auto at_most = [&](int n) {
+            return hn::And(hn::And(seen, inner), hn::Lt(side, hn::Set(d, any_tiny ? n : 0)));
+        };
+        const auto is_tiny = at_most(2), is_small = hn::AndNot(is_tiny, at_most(4));
+        const Found boxes{hn::Add(hn::Set(d, std::int32_t(t)), hn::Iota(d, std::int32_t(0))),
+            hn::Or(x0, hn::ShiftLeft<16>(y0)), hn::Or(steps_x, hn::ShiftLeft<16>(steps_y))};
+        append(boxes, corner, is_tiny, search.tiny);
         if (search.tiny.count >= TinyList::kFull) search.flush<2>(search.tiny, false);
+        if (hn::AllTrue(d, hn::Or(is_tiny, hn::Not(seen)))) continue;
+        append(boxes, corner, is_small, search.small);
+        append(boxes, hn::AndNot(hn::Or(is_tiny, is_small), seen), search.other);
         if (search.small.count >= TinyList::kFull) search.flush<4>(search.small, false);
         if (search.other.count >= TinyList::kFull) search.flush<0>(search.other, false);
     }

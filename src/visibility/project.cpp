@@ -31,7 +31,11 @@ V place_among(V s, int count)
     return hn::Add(after, hn::Min(hn::Max(hn::Add(last, one), hn::Zero(d)), all));
 }
 
+/// Beyond, flat corners would leave the range of floats: they take the careful way.
+constexpr float kFlattest = 0x1p40f, kNearestFlat = 0x1p-60f;
+
 /// One register of vertices.
+template <CornerSpace kSpace>
 void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RESTRICT corner)
 {
     const Wide d;
@@ -59,32 +63,57 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto limit = hn::Set(f, kFarthest);
     const auto finite = hn::And(
         hn::Lt(hn::Abs(x), limit), hn::And(hn::Lt(hn::Abs(y), limit), hn::Lt(hn::Abs(z), limit)));
-    const auto in_front = hn::And(finite, hn::Gt(z, hn::Zero(f)));
+    auto in_front = hn::And(finite, hn::Gt(z, hn::Zero(f)));
+    if constexpr (kSpace == CornerSpace::flat) {
+        const auto widest = hn::Mul(z, hn::Set(f, kFlattest));
+        in_front = hn::And(hn::And(in_front, hn::Ge(z, hn::Set(f, kNearestFlat))),
+            hn::And(hn::Lt(hn::Abs(x), widest), hn::Lt(hn::Abs(y), widest)));
+    }
     const auto zd = hn::PromoteTo(d, hn::IfThenElse(in_front, z, hn::Set(f, 1.0f)));
     const auto xd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, x));
     const auto yd = hn::PromoteTo(d, hn::IfThenElseZero(in_front, y));
-    const auto column = place_among(hn::Sub(hn::Div(xd, zd), hn::Set(d, pencil.x0)), pencil.width);
-    const auto row = place_among(hn::Sub(hn::Div(yd, zd), hn::Set(d, pencil.y0)), pencil.height);
+    const auto flat_x = hn::Div(xd, zd), flat_y = hn::Div(yd, zd);
+    const auto column = place_among(hn::Sub(flat_x, hn::Set(d, pencil.x0)), pencil.width);
+    const auto row = place_among(hn::Sub(flat_y, hn::Set(d, pencil.y0)), pencil.height);
     const auto places = hn::Or(hn::DemoteTo(w, column), hn::ShiftLeft<16>(hn::DemoteTo(w, row)));
     const auto samples = hn::IfThenElse(
         hn::RebindMask(w, in_front), places, hn::Set(w, VertexSamples::kBehind & 0xFFFF));
-    hn::StoreInterleaved4(x, y, z, hn::BitCast(f, samples), f, corner);
+    const auto last = hn::BitCast(f, samples);
+    if constexpr (kSpace == CornerSpace::eye) {
+        hn::StoreInterleaved4(x, y, z, last, f, corner);
+    } else {
+        const auto or_eye = [&](auto flat, auto eye) {
+            return hn::IfThenElse(in_front, flat, eye);
+        };
+        const auto inverse = hn::Div(hn::Set(f, 1.0f), hn::DemoteTo(f, zd));
+        hn::StoreInterleaved4(or_eye(hn::DemoteTo(f, flat_x), x),
+            or_eye(hn::DemoteTo(f, flat_y), y), or_eye(inverse, z), last, f, corner);
+    }
 }
 
-void project_range(
-    const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
+template <CornerSpace kSpace>
+void project_all(const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
 {
     const std::size_t lanes = hn::Lanes(Wide());
     for (std::size_t v = first; v < last; v += lanes) {
         float* corner = &memory.corner[v].x;
         if (v + lanes <= last) {
-            project(&position[v].x, memory.pencil, corner);
+            project<kSpace>(&position[v].x, memory.pencil, corner);
         } else {
             float rest[3 * 64] = {};
             std::copy_n(&position[v].x, 3 * (last - v), rest);
-            project(rest, memory.pencil, corner); // the buffers have room for a register
+            project<kSpace>(rest, memory.pencil, corner); // the buffers have room for a register
         }
     }
+}
+
+void project_range(
+    const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
+{
+    if (memory.corner_space == CornerSpace::eye)
+        project_all<CornerSpace::eye>(position, first, last, memory);
+    else
+        project_all<CornerSpace::flat>(position, first, last, memory);
 }
 
 } // namespace
@@ -97,11 +126,13 @@ namespace firsthit {
 
 HWY_EXPORT(project_range);
 
-void project_vertices(std::span<const glm::vec3> position, ViewMemory& memory, Tasks& tasks)
+void project_vertices(
+    std::span<const glm::vec3> position, ViewMemory& memory, Tasks& tasks, CornerSpace space)
 {
     constexpr std::size_t kPadding = 64;
     // Ranges of whole registers, so that no two threads write the same register's padding.
     constexpr std::size_t kGrain = 4096;
+    memory.corner_space = space;
     memory.corner.resize(position.size() + kPadding);
     tasks.for_ranges(position.size(), kGrain, [&](std::size_t first, std::size_t last) {
         HWY_DYNAMIC_DISPATCH(project_range)(position.data(), first, last, memory);

@@ -28,7 +28,7 @@
 
 #include <hwy/highway.h>
 
-#include "visibility/view_memory.h"
+#include "visibility/tiny_list-inl.h"
 
 #include <cstdint>
 
@@ -38,22 +38,6 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Triangles in work, structure of arrays.
-struct TinyList {
-    static constexpr int kFull = 64, kRoom = kFull + 64 + 16;
-
-    int count = 0;
-    alignas(64) std::uint32_t triangle[kRoom];
-    alignas(64) std::int32_t first[kRoom]; // x | y << 16: the box's first sample
-    alignas(64) std::int32_t steps[kRoom]; // x | y << 16: samples after the first
-};
-
-/// Their corners in eye space, and what came of them.
-struct TinyCorners {
-    alignas(64) float corner[3][TinyList::kRoom][4];
-    alignas(64) std::uint32_t open[TinyList::kRoom]; // 1: not certain
-};
-
 /// Where covered samples are written: a register at a time, so beyond the last.
 struct FragmentTarget {
     std::uint32_t* place; // x | y << 16
@@ -61,7 +45,7 @@ struct FragmentTarget {
     float* w;
 };
 
-/// Items may fuse, where the bound is all that counts; depths are the same on every target.
+/// Sums may be fused with products, since the bound is all that counts.
 #if HWY_NATIVE_FMA
 constexpr bool kFuses = true;
 using TinyItems = hn::CappedTag<float, 16>;
@@ -69,13 +53,12 @@ using TinyItems = hn::CappedTag<float, 16>;
 constexpr bool kFuses = false;
 using TinyItems = hn::Rebind<float, hn::CappedTag<double, 8>>;
 #endif
-using TinyDepths = hn::Rebind<float, hn::CappedTag<double, 8>>;
 
 /// x - s z, s with at most 14 bits, rounded once (or from double).
-template <bool kFused, class D, class V = hn::Vec<D>>
+template <class D, class V = hn::Vec<D>>
 HWY_INLINE V shear(D, V x, V s, V z)
 {
-    if constexpr (kFused) {
+    if constexpr (kFuses) {
         return hn::NegMulAdd(s, z, x);
     } else {
         const D d;
@@ -86,10 +69,10 @@ HWY_INLINE V shear(D, V x, V s, V z)
 }
 
 /// p q - r s
-template <bool kFused, class V>
+template <class V>
 HWY_INLINE V determinant(V p, V q, V r, V s)
 {
-    if constexpr (kFused)
+    if constexpr (kFuses)
         return hn::NegMulAdd(r, s, hn::Mul(p, q));
     else
         return hn::Sub(hn::Mul(p, q), hn::Mul(r, s));
@@ -98,39 +81,35 @@ HWY_INLINE V determinant(V p, V q, V r, V s)
 /// One register of the list, starting with number i, of which `count` lanes are meant. Appends the
 /// covered samples to `found`, and says which triangles are open.
 ///
-/// kSide    of the boxes, at most
-/// kDepths  of a shadow map: samples that are not certainly missed are covered, and their depth lies
-///          between those of the corners
-/// x0, y0   direction of the pencil's first sample
+/// kSide  of the boxes, at most
+/// x0, y0  direction of the pencil's first sample
 /// returns  the number of fragments found, with those before
-template <int kSide, bool kDepths, class D>
-HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corners, int i,
-    int count, float x0, float y0, const FragmentTarget& found, std::uint32_t at)
+template <int kSide, class D>
+HWY_INLINE std::uint32_t cover_tiny(D d, TinyList& list, int i, int count, float x0, float y0,
+    const FragmentTarget& found, std::uint32_t at)
 {
-    constexpr bool kFused = !kDepths && kFuses;
     constexpr int kSamples = kSide * kSide;
     const hn::RebindToSigned<D> w;
     const hn::RebindToUnsigned<D> du;
     using V = hn::Vec<D>;
     const auto set = [&](float v) { return hn::Set(d, v); };
-    V x[3], y[3], z[3], unused;
-    for (int k = 0; k < 3; ++k)
-        hn::LoadInterleaved4(d, corners.corner[k][i], x[k], y[k], z[k], unused);
+    V x[3], y[3], z[3];
     const auto first = hn::Load(w, list.first + i), steps = hn::Load(w, list.steps + i);
     const auto low = [&](auto v) { return hn::And(v, hn::Set(w, 0xFFFF)); };
     const V sx = hn::Add(hn::ConvertTo(d, low(first)), set(x0));
     const V sy = hn::Add(hn::ConvertTo(d, hn::ShiftRight<16>(first)), set(y0));
     for (int k = 0; k < 3; ++k) {
-        x[k] = shear<kFused>(d, x[k], sx, z[k]);
-        y[k] = shear<kFused>(d, y[k], sy, z[k]);
+        z[k] = hn::Load(d, list.corner[3 * k + 2] + i);
+        x[k] = shear(d, hn::Load(d, list.corner[3 * k] + i), sx, z[k]);
+        y[k] = shear(d, hn::Load(d, list.corner[3 * k + 1] + i), sy, z[k]);
     }
 
     V c[3], gx[3], gy[3];
     for (int k = 0; k < 3; ++k) {
         const int p = (k + 1) % 3, q = (k + 2) % 3;
-        c[k] = determinant<kFused>(x[p], y[q], y[p], x[q]);
-        gx[k] = determinant<kFused>(y[p], z[q], z[p], y[q]);
-        gy[k] = determinant<kFused>(z[p], x[q], x[p], z[q]);
+        c[k] = determinant(x[p], y[q], y[p], x[q]);
+        gx[k] = determinant(y[p], z[q], z[p], y[q]);
+        gy[k] = determinant(z[p], x[q], x[p], z[q]);
     }
     const V mx = hn::Max(hn::Abs(x[0]), hn::Max(hn::Abs(x[1]), hn::Abs(x[2])));
     const V my = hn::Max(hn::Abs(y[0]), hn::Max(hn::Abs(y[1]), hn::Abs(y[2])));
@@ -173,29 +152,21 @@ HWY_INLINE std::uint32_t cover_tiny(D d, const TinyList& list, TinyCorners& corn
         const V volume =
             hn::Add(hn::Add(hn::Mul(e[0], z[0]), hn::Mul(e[1], z[1])), hn::Mul(e[2], z[2]));
         depth[k] = hn::Div(sum, volume);
-        if constexpr (kDepths) {
-            covered[k] = hn::AndNot(missed, has);
-            const auto edge_on = hn::Le(hn::Abs(sum), hn::Mul(error, set(8.0f)));
-            open = hn::Or(open, hn::And(covered[k], edge_on));
-        } else {
-            const auto hit = hn::Or(hn::Gt(least, error), hn::Lt(most, minus_error));
-            const V rest = hn::Sub(hn::Abs(sum), hn::Mul(error, set(3.0f)));
-            const auto certain = hn::And(hit, hn::Le(depth_error, hn::Mul(rest, nearest)));
-            covered[k] = hn::And(has, certain);
-            open = hn::Or(open, hn::AndNot(hn::Or(certain, missed), has));
-        }
+        const auto hit = hn::Or(hn::Gt(least, error), hn::Lt(most, minus_error));
+        const V rest = hn::Sub(hn::Abs(sum), hn::Mul(error, set(3.0f)));
+        const auto certain = hn::And(hit, hn::Le(depth_error, hn::Mul(rest, nearest)));
+        covered[k] = hn::And(has, certain);
+        open = hn::Or(open, hn::AndNot(hn::Or(certain, missed), has));
     }
-    hn::Store(hn::IfThenElseZero(hn::RebindMask(du, open), hn::Set(du, 1)), du, corners.open + i);
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(du, open), hn::Set(du, 1)), du, list.open + i);
 
     const auto triangle = hn::Load(du, list.triangle + i);
     const auto place = hn::BitCast(du, first);
-    const V least_w = hn::Div(set(1.0f), farthest), most_w = hn::Div(set(1.0f), nearest);
 #pragma GCC unroll 16
     for (int k = 0; k < kSamples; ++k) {
         const auto mask = hn::AndNot(open, covered[k]);
         const auto whole = hn::RebindMask(du, mask);
         const auto step = hn::Set(du, std::uint32_t(k % kSide + (k / kSide << 16)));
-        if constexpr (kDepths) depth[k] = hn::Min(hn::Max(depth[k], least_w), most_w);
         hn::StoreU(hn::Compress(hn::Add(place, step), whole), du, found.place + at);
         hn::StoreU(hn::Compress(triangle, whole), du, found.triangle + at);
         hn::StoreU(hn::Compress(depth[k], mask), d, found.w + at);

@@ -10,6 +10,25 @@
 
 namespace firsthit {
 
+/// A corner in eye space, whatever it is stored as; of a flat one within float's roundings.
+inline glm::vec3 eye_corner(const ViewMemory& memory, std::uint32_t vertex)
+{
+    const glm::vec4& v = memory.corner[vertex];
+    const bool is_eye = memory.corner_space == CornerSpace::eye ||
+                        std::bit_cast<VertexSamples>(v.w).x == VertexSamples::kBehind;
+    return is_eye ? glm::vec3(v) : glm::vec3(v.x / v.z, v.y / v.z, 1 / v.z);
+}
+
+/// At most the least z of corners that are all in front of the eye.
+inline float nearest_z(const ViewMemory& memory, const glm::uvec3& index)
+{
+    const auto z = [&](std::uint32_t vertex) { return memory.corner[vertex].z; };
+    if (memory.corner_space == CornerSpace::eye)
+        return std::min({z(index.x), z(index.y), z(index.z)});
+    // Smaller than rounding twice may have made it.
+    return (1 - 0x1p-20f) / std::max({z(index.x), z(index.y), z(index.z)});
+}
+
 /// Whether the triangle may hit a sample, and a box that holds all such, from where its corners
 /// stand among the samples.
 ///
@@ -23,8 +42,9 @@ inline bool box_of(
     const VertexSamples p = samples(a), q = samples(b), r = samples(c);
     const std::int16_t least_x = std::min({p.x, q.x, r.x});
     if (least_x == VertexSamples::kBehind) [[unlikely]] {
-        const auto found =
-            careful_box(triangle, {glm::vec3(a), glm::vec3(b), glm::vec3(c)}, memory.pencil);
+        const auto found = careful_box(triangle,
+            {eye_corner(memory, index.x), eye_corner(memory, index.y), eye_corner(memory, index.z)},
+            memory.pencil);
         if (found) box = *found;
         return found.has_value();
     }
@@ -34,7 +54,7 @@ inline bool box_of(
     const int y1 = VertexSamples::last(std::max({p.y, q.y, r.y}));
     if (x0 > x1 || y0 > y1) return false;
     box = {triangle, std::int16_t(x0), std::int16_t(y0), std::int16_t(x1), std::int16_t(y1),
-        std::min({a.z, b.z, c.z})};
+        nearest_z(memory, index)};
     return true;
 }
 

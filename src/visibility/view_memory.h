@@ -26,11 +26,17 @@ struct VertexSamples {
 };
 static_assert(sizeof(VertexSamples) == sizeof(float));
 
+/// What corners are.
+enum class CornerSpace {
+    eye,  // (x, y, z) in eye space
+    flat, // (x/z, y/z, 1/z), as shadow maps want them; kBehind: (x, y, z)
+};
+
 /// A triangle that may hit a sample: its samples, ends included. 16 bytes.
 struct InView {
     std::uint32_t triangle;
     std::int16_t x0, y0, x1, y1;
-    float nearest_z; // of its corners; 0 or less: it reaches behind the eye
+    float nearest_z; // of its corners, not more; 0 or less: it reaches behind the eye
 };
 
 /// A triangle in a tile: its samples inside the tile, ends included. 12 bytes.
@@ -74,7 +80,8 @@ struct ViewMemory {
     int tiles_y = 0;
     std::span<const glm::uvec3> index;
 
-    Buffer<glm::vec4> corner; // (V) eye space, see Pencil; VertexSamples
+    CornerSpace corner_space = CornerSpace::eye;
+    Buffer<glm::vec4> corner; // (V) see Pencil; VertexSamples
     // (T) room; each range of triangles fills the start of its part
     Buffer<InView, Pages::small> in_view;
     Buffer<TileEntry> entry;          // (entries) by tile, then by triangle

@@ -25,7 +25,7 @@ std::vector<float> depths_of(const World& world, TinyTriangles tiny)
     memory.tiles_x = memory.tiles_y = kSize / kTileSide;
     memory.tile_of.resize(kSize);
     for (std::size_t k = 0; k < kSize; ++k) memory.tile_of[k] = std::uint8_t(k / kTileSide);
-    project_vertices(world.position, memory, tasks);
+    project_vertices(world.position, memory, tasks, CornerSpace::flat);
     bin_triangles(world.scene->index, memory, tasks, tiny);
     DepthTile tile;
     resize(tile, kTileSide);
