@@ -17,13 +17,17 @@ struct GeometryCopy {
     Buffer<glm::vec3> position;
     Buffer<glm::uvec3> index;
     bool moving = false;       // positions differed last time
-    bool index_is_old = false; // and the index was not looked at
+    std::size_t moved = 0;     // where they did first
+    bool anyway = false;       // nobody needed to know last time
+    bool is_old = false;       // not all was looked at
     std::uint64_t version = 0; // counts the changes
 };
 
-/// Brings the copy up to date; counts a version where a byte differed. While positions move from
-/// frame to frame, nobody asks whether the index did, which would read as much again: the first frame that
-/// stands still after them counts as changed too.
-void follow(const World& world, GeometryCopy& copy, Tasks& tasks);
+/// Counts a version where a byte differs from the last time, and brings the copy up to date. While
+/// positions move from frame to frame, only those that moved are looked at, and while nobody needs to
+/// know, nothing is: the first frame after that counts as changed too.
+///
+/// anyway  whatever depends on the geometry is made anew, changed or not
+void follow(const World& world, bool anyway, GeometryCopy& copy, Tasks& tasks);
 
 } // namespace firsthit

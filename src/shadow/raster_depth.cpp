@@ -275,7 +275,7 @@ HWY_INLINE bool is_large(const TileEntry& entry, int half)
 void merge(const ViewMemory& view, std::size_t first, std::size_t last, DepthTile& tile)
 {
     float* HWY_RESTRICT w = tile.w.data();
-    for (const Fragment& fragment : view.fragment.span().subspan(first, last - first)) {
+    for (const DepthFragment& fragment : view.depth_fragment.span().subspan(first, last - first)) {
         float& stored = w[fragment.place & 0xFFFF];
         stored = std::max(stored, fragment.w);
     }

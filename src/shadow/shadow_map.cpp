@@ -105,23 +105,34 @@ void plan_maps(const World& world, const Settings& settings, std::span<LightBoun
     maps.changed.clear();
     maps.light.resize(world.lights.size());
     if (maps.light.empty()) return;
-    follow(world, maps.geometry, tasks);
+    const auto wanted = [&](std::size_t number, int face) {
+        return MapSource{maps.light[number].frame,
+            map_fit(bounds[number][std::size_t(face)], settings.shadow_map_size,
+                settings.shadow_filter),
+            maps.geometry.version};
+    };
+    const auto for_maps = [&](const auto& f) {
+        for (std::size_t number = 0; number < maps.light.size(); ++number)
+            for (int face = 0; face < kFaces; ++face)
+                f(MapNumber{number, face}, wanted(number, face));
+    };
     for (std::size_t number = 0; number < maps.light.size(); ++number) {
-        ShadowLight& light = maps.light[number];
-        light.frame = light_frame(world.lights[number]);
+        maps.light[number].frame = light_frame(world.lights[number]);
         merge_faces(bounds[number]);
-        for (int face = 0; face < kFaces; ++face) {
-            ShadowMap& map = light.map[std::size_t(face)];
-            const MapSource wanted{light.frame,
-                map_fit(bounds[number][std::size_t(face)], settings.shadow_map_size,
-                    settings.shadow_filter),
-                maps.geometry.version};
-            maps.texels += std::uint64_t(wanted.fit.width) * std::uint64_t(wanted.fit.height);
-            if (wanted == map.source) continue;
-            map.source = wanted;
-            if (wanted.fit.width > 0) maps.changed.push_back({number, face});
-        }
     }
+    // Do all have to be made, wherever the triangles are?
+    bool anyway = true;
+    for_maps([&](const MapNumber& k, const MapSource& source) {
+        if (source.fit.width > 0 && source == map_of(maps, k).source) anyway = false;
+    });
+    follow(world, anyway, maps.geometry, tasks);
+    for_maps([&](const MapNumber& k, const MapSource& source) {
+        maps.texels += std::uint64_t(source.fit.width) * std::uint64_t(source.fit.height);
+        ShadowMap& map = map_of(maps, k);
+        if (source == map.source) return;
+        map.source = source;
+        if (source.fit.width > 0) maps.changed.push_back(k);
+    });
 }
 
 void update_maps(

@@ -107,7 +107,10 @@ bool bin_triangles(
     // Room to spare, untouched: a moving scene's entries grow and shrink from frame to frame.
     const std::size_t spare = index.size() + 64 * tiles;
     memory.entry.resize(memory.entry_count, memory.entry_count + spare);
-    memory.fragment.resize(fragments, fragments + spare);
+    if (memory.corner_space == CornerSpace::eye)
+        memory.fragment.resize(fragments, fragments + spare);
+    else
+        memory.depth_fragment.resize(fragments, fragments + spare);
     tasks.for_each(ranges, [&](std::size_t range, std::size_t) { scatter_range(range, memory); });
     return true;
 }

@@ -7,11 +7,12 @@
 
 namespace firsthit {
 
-/// Sorts the triangles by tile: fills memory.entry and memory.tile_start, memory.fragment and
-/// memory.fragment_start from memory.corner. Conservative: a triangle that hits a
+/// Sorts the triangles by tile: fills memory.entry and memory.tile_start, memory.fragment (or
+/// .depth_fragment) and memory.fragment_start from memory.corner. Conservative: a triangle that hits a
 /// sample is among the entries of the sample's tile, with a box that holds the sample, or has a
 /// fragment there. Their order depends on the triangles alone.
 ///
+/// tiny     depths: only of flat corners; items: only of corners in eye space
 /// returns  false, and no entries, where there would be too many for the memory: many triangles
 /// that
 ///          each cover many tiles. Then the picture should be divided. A single tile is never

@@ -61,12 +61,9 @@ struct Search {
             const auto place = places.of(hn::LoadU(d, found.place + k));
             hn::StoreU(place, d, found.place + k);
             const std::uint32_t left = std::min(count.fragments - k, std::uint32_t(hn::Lanes(d)));
-            if (are_in_one_tile(place, left)) {
-                fragment_counts[hn::GetLane(place) >> 16] += left;
-            } else {
-                for (std::uint32_t n = k; n < k + left; ++n)
-                    ++fragment_counts[found.place[n] >> 16];
-            }
+            for_tiles_of(place, left, [&](std::uint32_t tile, std::uint64_t in_it) {
+                fragment_counts[tile] += std::uint32_t(std::popcount(in_it));
+            });
         }
     }
 
@@ -77,24 +74,31 @@ struct Search {
         constexpr bool kFlat = kSpace == CornerSpace::flat;
         const std::conditional_t<kFlat, TinyList::D, TinyItems> d;
         const std::uint32_t before = count.fragments;
+        const FragmentTarget to = found;
+        std::uint32_t fragments = before;
         const int lanes = int(hn::Lanes(d));
         const float x0 = float(memory.pencil.x0), y0 = float(memory.pencil.y0);
         for (int i = 0; i < triangles; i += lanes) {
             const int meant = std::min(lanes, triangles - i);
             if constexpr (kFlat)
-                count.fragments =
-                    cover_flat<kSide>(d, list, i, meant, x0, y0, found, count.fragments);
+                fragments = cover_flat<kSide>(d, list, i, meant, x0, y0, to, fragments);
             else
-                count.fragments =
-                    cover_tiny<kSide>(d, list, i, meant, x0, y0, found, count.fragments);
+                fragments = cover_tiny<kSide>(d, list, i, meant, x0, y0, to, fragments);
         }
+        count.fragments = fragments;
         place_fragments(before);
         count.tiny += std::uint32_t(triangles);
-        for (int i = 0; i < triangles; ++i) {
-            if (!list.open[i]) [[likely]]
+        const Marks marks;
+        for (int begin = 0; begin < triangles; begin += int(hn::Lanes(marks))) {
+            const auto open = hn::Load(marks, list.open + begin);
+            if (hn::AllTrue(marks, hn::Eq(open, hn::Zero(marks)))) [[likely]]
                 continue;
-            keep(list, i);
-            --count.tiny;
+            const int end = std::min(triangles, begin + int(hn::Lanes(marks)));
+            for (int i = begin; i < end; ++i) {
+                if (!list.open[i]) continue;
+                keep(list, i);
+                --count.tiny;
+            }
         }
     }
 
@@ -150,10 +154,11 @@ HWY_INLINE void append(const Found& found, hn::Mask<Words> mask, TinyList& list)
 {
     const Words d;
     const hn::RebindToUnsigned<Words> du;
-    hn::StoreU(hn::BitCast(du, hn::Compress(found.triangle, mask)), du, list.triangle + list.count);
-    hn::StoreU(hn::Compress(found.first, mask), d, list.first + list.count);
-    hn::StoreU(hn::Compress(found.steps, mask), d, list.steps + list.count);
-    list.count += int(hn::CountTrue(d, mask));
+    const int at = list.count;
+    hn::StoreU(hn::BitCast(du, hn::Compress(found.triangle, mask)), du, list.triangle + at);
+    hn::StoreU(hn::Compress(found.first, mask), d, list.first + at);
+    hn::StoreU(hn::Compress(found.steps, mask), d, list.steps + at);
+    list.count = at + int(hn::CountTrue(d, mask));
 }
 
 /// The same with their corners.
@@ -162,9 +167,10 @@ HWY_INLINE void append(
 {
     const TinyList::D d;
     const auto lanes = hn::RebindMask(d, mask);
+    const int at = list.count;
     for (int k = 0; k < 3; ++k) {
         const auto store = [&](auto v, int axis) {
-            hn::StoreU(hn::Compress(v, lanes), d, list.corner[3 * k + axis] + list.count);
+            hn::StoreU(hn::Compress(v, lanes), d, list.corner[3 * k + axis] + at);
         };
         store(corner[k].x(), 0);
         store(corner[k].y(), 1);

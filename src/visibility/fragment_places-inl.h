@@ -1,4 +1,4 @@
-// fragment_places-inl.h - fragments to their tiles, a register at a time where they share one.
+// fragment_places-inl.h - fragments to their tiles, a register at a time.
 #if defined(FIRSTHIT_FRAGMENT_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_FRAGMENT_PLACES_INL_H
 #undef FIRSTHIT_FRAGMENT_PLACES_INL_H
@@ -9,10 +9,13 @@
 #include <hwy/highway.h>
 
 #include "base/tile_order.h"
+#include "visibility/sample_registers-inl.h"
 #include "visibility/view_memory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -55,40 +58,81 @@ struct Places {
     }
 };
 
-/// Whether the first `count` lanes are. Often in a mesh whose triangles follow each other.
-HWY_INLINE bool are_in_one_tile(hn::Vec<Marks> place, std::uint32_t count)
+/// Calls f(tile, lanes that are in it) for each tile of the first `count` lanes, or for each lane. In
+/// a mesh whose triangles follow each other there are few tiles, often one; where there are many, it
+/// is quicker not to ask.
+template <class F>
+HWY_INLINE void for_tiles_of(hn::Vec<Marks> place, std::uint32_t count, const F& f)
 {
+    constexpr int kFew = hn::MaxLanes(Marks()) / 2;
     const Marks d;
-    const auto tile = hn::ShiftRight<16>(place);
-    const auto other = hn::Ne(tile, hn::Set(d, hn::GetLane(tile)));
-    return hn::AllFalse(d, hn::And(other, hn::FirstN(d, count)));
+    alignas(64) std::uint32_t tile[hn::MaxLanes(d)];
+    const auto tiles = hn::ShiftRight<16>(place);
+    hn::Store(tiles, d, tile);
+    std::uint64_t left = (std::uint64_t(1) << count) - 1;
+    const auto lanes_in = [&](std::uint32_t of) {
+        return left & bits(d, hn::Eq(tiles, hn::Set(d, of)));
+    };
+    std::uint64_t in_it = lanes_in(tile[0]);
+    if (in_it != left && std::popcount(in_it) < kFew) {
+        for (std::uint32_t k = 0; k < count; ++k) f(tile[k], std::uint64_t(1) << k);
+        return;
+    }
+    f(tile[0], in_it);
+    for (left &= ~in_it; left; left &= ~in_it) {
+        const std::uint32_t next = tile[std::countr_zero(left)];
+        in_it = lanes_in(next);
+        f(next, in_it);
+    }
 }
 
 /// Copies a range's fragments to their tiles, from where memory.fragment_cursor says.
-inline void scatter_range(std::size_t range, ViewMemory& memory)
+template <class Part>
+inline void scatter_as(std::size_t range, const ViewMemory& memory,
+    std::uint32_t* HWY_RESTRICT cursor, Part* HWY_RESTRICT to)
 {
     const Marks d;
+    const hn::Rebind<float, Marks> f;
     const std::uint32_t lanes = std::uint32_t(hn::Lanes(d));
-    std::uint32_t* HWY_RESTRICT cursor =
-        &memory.fragment_cursor[range * std::size_t(memory.tiles())];
     const std::size_t first = range * memory.found_room;
     const std::uint32_t* HWY_RESTRICT place = memory.found.place.data() + first;
     const std::uint32_t* HWY_RESTRICT triangle = memory.found.triangle.data() + first;
     const float* HWY_RESTRICT w = memory.found.w.data() + first;
-    Fragment* HWY_RESTRICT to = memory.fragment.data();
     const std::uint32_t count = memory.range_count[range].fragments;
     for (std::uint32_t k = 0; k < count; k += lanes) {
         const auto places = hn::LoadU(d, place + k);
-        if (k + lanes <= count && are_in_one_tile(places, lanes)) {
-            std::uint32_t& at = cursor[place[k] >> 16];
-            hn::StoreInterleaved3(places, hn::LoadU(d, triangle + k),
-                hn::BitCast(d, hn::LoadU(hn::Rebind<float, Marks>(), w + k)), d, &to[at].place);
-            at += lanes;
-        } else {
-            for (std::uint32_t n = k; n < std::min(count, k + lanes); ++n)
-                to[cursor[place[n] >> 16]++] = {place[n], triangle[n], w[n]};
-        }
+        const std::uint32_t meant = std::min(count - k, lanes);
+        for_tiles_of(places, meant, [&](std::uint32_t tile, std::uint64_t in_it) {
+            const auto number = std::uint32_t(std::popcount(in_it));
+            Part* HWY_RESTRICT at = to + cursor[tile];
+            cursor[tile] += number;
+            if (number == lanes) {
+                const auto depths = hn::BitCast(d, hn::LoadU(f, w + k));
+                if constexpr (std::is_same_v<Part, Fragment>)
+                    hn::StoreInterleaved3(
+                        places, hn::LoadU(d, triangle + k), depths, d, &at->place);
+                else
+                    hn::StoreInterleaved2(places, depths, d, &at->place);
+                return;
+            }
+            for (; in_it; in_it &= in_it - 1, ++at) {
+                const std::uint32_t n = k + std::uint32_t(std::countr_zero(in_it));
+                if constexpr (std::is_same_v<Part, Fragment>)
+                    *at = {place[n], triangle[n], w[n]};
+                else
+                    *at = {place[n], w[n]};
+            }
+        });
     }
+}
+
+inline void scatter_range(std::size_t range, ViewMemory& memory)
+{
+    std::uint32_t* cursor = &memory.fragment_cursor[range * std::size_t(memory.tiles())];
+    if (memory.corner_space == CornerSpace::eye)
+        scatter_as(range, memory, cursor, memory.fragment.data());
+    else
+        scatter_as(range, memory, cursor, memory.depth_fragment.data());
 }
 
 } // namespace HWY_NAMESPACE

@@ -53,9 +53,16 @@ struct Fragment {
     float w; // 1/t
 };
 
+/// A texel that a tiny triangle covers. 8 bytes.
+struct DepthFragment {
+    std::uint32_t place; // as of Fragment
+    float w;
+};
+
 /// Fragments in the order in which they are found, structure of arrays.
 struct FoundFragments {
-    Buffer<std::uint32_t, Pages::small> place, triangle;
+    Buffer<std::uint32_t, Pages::small> place;
+    Buffer<std::uint32_t, Pages::small> triangle; // not of flat corners
     Buffer<float, Pages::small> w;
 
     void resize(std::size_t count)
@@ -92,8 +99,10 @@ struct ViewMemory {
 
     std::uint32_t found_room = 0;          // fragments for which a range has room
     FoundFragments found;                  // (ranges, room); each range fills the start of its part
-    Buffer<Fragment> fragment;             // (fragments) by tile, then by range
-    Buffer<std::uint32_t> fragment_start;  // (tiles + 1) into fragment
+    // (fragments) by tile, then by range; the second of flat corners
+    Buffer<Fragment> fragment;
+    Buffer<DepthFragment> depth_fragment;
+    Buffer<std::uint32_t> fragment_start;  // (tiles + 1) into these
     Buffer<std::uint32_t> fragment_cursor; // (ranges, tiles)
 
     std::uint64_t in_view_count = 0; // triangles that may hit a sample
