@@ -12,8 +12,7 @@ constexpr std::size_t kGrain = 16384; // elements
 /// Makes elements [first, last) of `copy` equal to those of `array`. Returns whether they were
 /// different.
 template <class T>
-bool follow_range(
-    const std::vector<T>& array, std::size_t first, std::size_t last, Buffer<T>& copy)
+bool follow_range(const std::vector<T>& array, std::size_t first, std::size_t last, Buffer<T>& copy)
 {
     const std::size_t bytes = (last - first) * sizeof(T);
     if (std::memcmp(&copy[first], &array[first], bytes) == 0) return false;
@@ -37,7 +36,8 @@ std::size_t follow_array(const std::vector<T>& array, Buffer<T>& copy, Tasks& ta
     tasks.for_ranges(array.size(), kGrain, [&](std::size_t first, std::size_t last) {
         if (!follow_range(array, first, last, copy)) return;
         std::size_t least = changed.load(std::memory_order_relaxed);
-        while (first < least && !changed.compare_exchange_weak(least, first)) {}
+        while (first < least && !changed.compare_exchange_weak(least, first)) {
+        }
     });
     return changed;
 }

@@ -97,8 +97,8 @@ struct ViewMemory {
     Buffer<std::uint32_t> cursor;     // (ranges, tiles)
     Buffer<std::uint8_t> tile_of;     // sample -> tile number on one axis
 
-    std::uint32_t found_room = 0;          // fragments for which a range has room
-    FoundFragments found;                  // (ranges, room); each range fills the start of its part
+    std::uint32_t found_room = 0; // fragments for which a range has room
+    FoundFragments found;         // (ranges, room); each range fills the start of its part
     // (fragments) by tile, then by range; the second of flat corners
     Buffer<Fragment> fragment;
     Buffer<DepthFragment> depth_fragment;

@@ -115,6 +115,49 @@ TEST(RasterDepth, OfTinyTrianglesIsThatOfTheGeneralKernelBesideEdges)
     });
 }
 
+/// Large triangles around the eye, most of which reach behind it.
+TestWorld around_the_eye()
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> side(-4, 4), along(-3, 6);
+    TestWorld world;
+    const auto corner = [&] { return glm::vec3(side(random), side(random), along(random)); };
+    for (int k = 0; k < 60; ++k) {
+        const glm::vec3 a = corner(), b = corner(), c = corner();
+        world.add(a, b, c);
+    }
+    world.finish();
+    return world;
+}
+
+TEST(RasterDepth, OfTrianglesThatReachBehindTheLightIsThatOfTheirHits)
+{
+    const TestWorld world = around_the_eye();
+    const std::vector<float> w = depths_of(world.world, TinyTriangles::depths);
+    const EyeWorld eye(world.world, straight_view(kSize, kSize, kSize));
+    Effort effort;
+    std::size_t differ = 0, hits = 0;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            const glm::dvec3 d(eye.ray(x, y));
+            double nearest = 0; // 1/t
+            for (std::size_t t = 0; t < world.world.scene->index.size(); ++t) {
+                const Corners& c = eye.triangles[std::uint32_t(t)];
+                if (!is_hit(c, eye.ray(x, y), effort)) continue;
+                const glm::dvec3 a(c[0]);
+                const glm::dvec3 n = glm::cross(glm::dvec3(c[1]) - a, glm::dvec3(c[2]) - a);
+                nearest = std::max(nearest, glm::dot(n, d) / glm::dot(n, a));
+            }
+            hits += nearest > 0;
+            differ +=
+                std::abs(double(w[std::size_t(y * kSize + x)]) - nearest) > 1e-4 * nearest + 1e-9;
+        }
+    }
+    EXPECT_GT(hits, std::size_t(kSize * kSize / 2));
+    EXPECT_LE(differ, std::size_t(kSize * kSize / 500)); // on edges
+    for_instruction_sets([&] { EXPECT_EQ(depths_of(world.world, TinyTriangles::depths), w); });
+}
+
 TEST(RasterDepth, IsTheSameOnEveryInstructionSet)
 {
     for_tiny_worlds([](const World& world) {

@@ -100,6 +100,42 @@ TEST(ShadowMaps, AreMadeAgainForTrianglesThatChangeInAMovement)
     EXPECT_EQ(frames.updates(), 0u);
 }
 
+TEST(ShadowMaps, AreMadeAgainForGeometryThatMovedWhileALightDid)
+{
+    Frames frames;
+    frames.world.world.lights = {point_light({1, -3, 5})};
+    EXPECT_EQ(frames.updates(), 1u);
+    // Only the frame between has the vertex elsewhere, and nobody asks in it.
+    float& x = frames.world.world.position.back().x;
+    const float before = x;
+    x += 1e-6f;
+    frames.world.world.lights[0].position.x += 1e-6;
+    EXPECT_EQ(frames.updates(), 1u);
+    x = before;
+    EXPECT_EQ(frames.updates(), 1u);
+    EXPECT_EQ(frames.updates(), 0u);
+}
+
+TEST(ShadowMaps, AreMadeAgainWhereAnotherPartOfTheGeometryMoves)
+{
+    Frames frames;
+    for (int k = 0; k < 12000; ++k) frames.world.add({0, 0, 3}, {0.1f, 0, 3}, {0, 0.1f, 3});
+    frames.world.world.lights = {point_light({1, -3, 5})};
+    EXPECT_EQ(frames.updates(), 1u);
+    std::vector<glm::vec3>& position = frames.world.world.position;
+    for (int frame = 0; frame < 3; ++frame) {
+        position.front().x += 1e-6f;
+        position.back().x += 1e-6f;
+        EXPECT_EQ(frames.updates(), 1u);
+    }
+    for (int frame = 0; frame < 3; ++frame) {
+        position.back().x += 1e-6f;
+        EXPECT_EQ(frames.updates(), 1u);
+    }
+    EXPECT_LE(frames.updates(), 1u); // not all was looked at while it moved
+    EXPECT_EQ(frames.updates(), 0u);
+}
+
 TEST(ShadowMaps, DoNotDependOnEarlierFrames)
 {
     Frames early, late;
