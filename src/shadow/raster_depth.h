@@ -25,9 +25,9 @@ struct DepthTile {
 
     // The batch, structure of arrays. e = c + gx x + gy y, x and y from the tile's first sample.
     int count = 0;
-    alignas(64) float corner[9][kBatch]; // x0 y0 z0 x1 ... in eye space
+    alignas(64) float corner[9][kBatch]; // x0 y0 z0 x1 ..., see CornerSpace
     alignas(64) std::int32_t x0[kBatch], y0[kBatch], x1[kBatch], y1[kBatch]; // samples, inclusive
-    alignas(64) float gx[3][kBatch], gy[3][kBatch], c[3][kBatch];            // edges, inside > 0
+    alignas(64) float gx[3][kBatch], gy[3][kBatch], c[3][kBatch];            // edges, inside >= 0
     alignas(64) float wx[kBatch], wy[kBatch], wc[kBatch];                    // 1/t
     alignas(
         64) std::int32_t tiny[kBatch];   // not 0: the box has at most 2x2 texels, decided in set-up
@@ -38,8 +38,9 @@ struct DepthTile {
 /// Prepares a worker's tile; allocates where it is larger than before.
 void resize(DepthTile& tile, int size);
 
-/// Fills out.w for tile number `tile` of the binned view: the greatest 1/t of the triangles that
-/// cover the sample. The same bits on every instruction set, whatever the order of triangles.
+/// Fills out.w for tile number `tile` of the binned view, whose corners are flat: the greatest 1/t of
+/// the triangles that cover the sample. The same bits on every instruction set, whatever the order
+/// of triangles.
 ///
 /// limits   triangles seen at grazing angles may err by as much as their own extent in depth, and
 ///          reach as far beyond their edges as said above
