@@ -145,6 +145,9 @@ void render_part(const World& world, const View& view, const Region& part, const
     const std::size_t tiles = std::size_t(memory.view.tiles());
     const std::size_t kept = pass.shadows ? tiles : std::size_t(tasks.threads());
     resize(memory.hits, tile_size, kept);
+    memory.hits.misses = !pass.aovs.empty();
+    memory.hits.items =
+        memory.hits.misses || (pass.shadows && pass.shadows->shadows != Shadows::map);
     resize(memory.holes, tile_size, kept);
     const auto finish = [&](std::size_t tile, std::size_t place, const LitTile& lit,
                             const HitTile& hits, std::size_t number) {

@@ -38,15 +38,17 @@ struct BlockPlace {
 };
 
 /// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. A sample
-/// without an item has t = +inf, u = v = 0.
+/// without an item has t = +inf, u = v = 0; but of a block that `covered` says to have no item at
+/// all, everything is undefined (HitMemory::misses).
 struct HitTile {
     int size = 64; // samples on a side
     TileFrame frame;
     std::span<const HitRun> runs;
-    const std::uint32_t* item = nullptr; // (size * size)
-    const float* t = nullptr;            // depth along the view axis, world units
-    const float* u = nullptr;            // weight of corner 1 (Embree's convention)
-    const float* v = nullptr;            // weight of corner 2
+    const std::uint64_t* covered = nullptr; // (blocks) samples with an item, a bit each; or null
+    const std::uint32_t* item = nullptr;    // (size * size), or null
+    const float* t = nullptr;               // depth along the view axis, world units
+    const float* u = nullptr;               // weight of corner 1 (Embree's convention)
+    const float* v = nullptr;               // weight of corner 2
 
     /// Shading alone also takes packed samples (cpu/packed_tile.h): then `places` has a place for
     /// each block, and `item` is null.
@@ -58,6 +60,9 @@ struct HitTile {
         const auto blocks_x = std::size_t(size / kBlock);
         return packed ? places.size() : blocks_x * blocks_x;
     }
+
+    /// Whether the block is known to have no item.
+    bool is_empty(int block) const { return covered && covered[block] == 0; }
 };
 
 } // namespace firsthit

@@ -99,7 +99,10 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
     for (int block = 0; block < items.blocks(); ++block) {
         const std::uint32_t* item = items.item.data() + block * kBlockSamples;
         const std::uint64_t covered = ~samples_with(item, kNoItem);
+        places.covered[block] = covered;
+        if (covered == 0 && !places.misses) continue;
         if (~covered) fill_misses(block, places);
+        if (places.items) std::copy_n(item, kBlockSamples, places.item + block * kBlockSamples);
         next = find_block_runs(item, block, covered, next);
     }
     return std::size_t(next - places.run);
@@ -227,6 +230,7 @@ void resize(HitMemory& memory, int tile_size, std::size_t tiles)
 {
     memory.samples = std::size_t(tile_size) * std::size_t(tile_size);
     memory.run.resize(tiles * memory.samples);
+    memory.covered.resize(tiles * memory.samples / kBlockSamples);
     memory.item.resize(tiles * memory.samples);
     for (Buffer<float>* plane : {&memory.t, &memory.u, &memory.v})
         plane->resize(tiles * memory.samples);
@@ -243,8 +247,8 @@ HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPla
     hits.frame.eye = glm::vec3(view.pencil.eye);
     hits.frame.world_from_eye = glm::mat3(view.pencil.world_from_axes);
     hits.runs = std::span<const HitRun>(places.run, runs);
-    std::copy_n(items.item.data(), std::size_t(items.size) * std::size_t(items.size), places.item);
-    hits.item = places.item;
+    hits.covered = places.covered;
+    hits.item = places.items ? places.item : nullptr;
     hits.t = places.t;
     hits.u = places.u;
     hits.v = places.v;

@@ -130,6 +130,7 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
     const real infinity(std::numeric_limits<float>::infinity());
     const int blocks_x = hits.size / kBlock;
     for (int block = 0; block < blocks_x * blocks_x; ++block) {
+        if (hits.is_empty(block)) continue;
         const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
         for (int first = 0; first < kBlockSamples; first += kLanes) {
             const int offset = block * kBlockSamples + first;
@@ -237,7 +238,7 @@ void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World&
     const HitTile& hits, float* lit)
 {
     const int samples = hits.size * hits.size;
-    const HitDepths depths = hit_depths(hits.t, samples);
+    const HitDepths depths = tile_depths(hits);
     if (depths.hits == 0) return;
     spread_steepness(hits, world, light.frame, lit);
     MapView face[kFaces];
