@@ -19,7 +19,15 @@ struct HitRun {
     std::uint16_t block = 0;   // number of the block in its tile; its samples start at 64 * block
     std::int16_t eye_side = 0; // 1 or -1: volume_sign (exact/hit.h) of the item in eye space
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
+
+    // The item's plane in world space, for what needs no exact answer: who has it fetches no corners.
+    // All 0 where that is not known.
+    glm::vec3 normal{0}; // towards the eye, its largest coordinate 1 or -1
+    float height = 0;    // of the eye above the plane: normal . (eye - p), p in the plane
+
+    bool has_plane() const { return height > 0; }
 };
+static_assert(sizeof(HitRun) == 32, "two in a cache line");
 
 /// How samples become world space. The ray of sample (x, y) of the tile is
 /// ((x0 + x) / f, (y0 + y) / f, 1) in a frame with x right, y down, z forward.

@@ -47,6 +47,57 @@ HWY_INLINE LanePlanes lane_planes(const Vector3<DoubleLanes>& n, const Vector3<D
         hn::Mul(hn::Max(z0, hn::Max(z1, z2)), hn::Set(f, 1 + 0x1p-20f))};
 }
 
+/// From a plane over samples (see Planes) to one in world space.
+class WorldPlanes {
+  public:
+    explicit WorldPlanes(const Pencil& pencil) : axes_(pencil.world_from_axes)
+    {
+        axes_[0] *= pencil.f;
+        axes_[1] *= pencil.f;
+    }
+
+    /// normal and height of HitRun, number i to i + kHitLanes - 1, a row for each coordinate; 0 where
+    /// the triangle has no area or the eye is in its plane.
+    template <std::size_t kCount>
+    HWY_INLINE void store(
+        const Vector3<DoubleLanes>& n, DoubleLanes volume, float (&plane)[4][kCount], int i) const
+    {
+        const Doubles d;
+        const Floats f;
+        const auto axis = [&](int k) {
+            return hn::Add(hn::Add(hn::Mul(n.x, hn::Set(d, axes_[0][k])),
+                               hn::Mul(n.y, hn::Set(d, axes_[1][k]))),
+                hn::Mul(n.z, hn::Set(d, axes_[2][k])));
+        };
+        const auto x = axis(0), y = axis(1), z = axis(2), zero = hn::Zero(d);
+        const auto largest = hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z)));
+        const auto inverse = hn::Div(hn::Set(d, 1.0), largest);
+        const auto height = hn::Mul(hn::Abs(volume), inverse);
+        // No number: false.
+        const auto known = hn::And(hn::Gt(height, hn::Set(d, double(kLeastHeight))),
+            hn::Lt(height, hn::Set(d, double(kGreatestHeight))));
+        // n . (p - eye) = volume.
+        const auto side = hn::IfThenElseZero(
+            known, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(inverse), inverse));
+        const auto row = [&](int k, DoubleLanes v) { hn::Store(hn::DemoteTo(f, v), f, plane[k] + i); };
+        row(0, hn::Mul(x, side));
+        row(1, hn::Mul(y, side));
+        row(2, hn::Mul(z, side));
+        row(3, hn::IfThenElseZero(known, height));
+    }
+
+  private:
+    static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
+    glm::dmat3 axes_;                                                      // columns: of n.x, n.y, n.z
+};
+
+template <std::size_t kCount>
+HWY_INLINE void keep_plane(const float (&plane)[4][kCount], int i, HitRun& run)
+{
+    run.normal = {plane[0][i], plane[1][i], plane[2][i]};
+    run.height = plane[3][i];
+}
+
 /// The rays of one block's samples.
 struct BlockOfRays {
     double x0, y0; // of its first sample

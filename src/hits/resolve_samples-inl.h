@@ -60,9 +60,10 @@ HWY_INLINE Vector3<FloatLanes> fetch_corner(
 #endif
 }
 
-/// Hits of all samples of a block, and the sides of its runs.
+/// Hits of all samples of a block, and the sides and planes of its runs.
 HWY_INLINE void resolve_samples(
-    const ViewMemory& view, const ItemTile& items, std::span<HitRun> runs, const HitPlaces& places)
+    const ViewMemory& view, const ItemTile& items, const WorldPlanes& world, std::span<HitRun> runs,
+    const HitPlaces& places)
 {
     const Doubles d;
     const BlockOfRays rays(items, runs[0].block);
@@ -71,6 +72,7 @@ HWY_INLINE void resolve_samples(
     for (const HitRun& run : runs) covered |= run.samples;
 
     alignas(64) double volume[kBlockSamples], volume_size[kBlockSamples];
+    alignas(64) float plane[4][kBlockSamples];
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int first = 0; first < kBlockSamples; first += kHitLanes) {
         const std::uint64_t samples = covered >> first & kAll;
@@ -91,6 +93,7 @@ HWY_INLINE void resolve_samples(
             lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
         hn::Store(p.volume, d, volume + first);
         hn::Store(p.volume_size, d, volume_size + first);
+        world.store(p.n, p.volume, plane, first);
         suspect |= meet(planes, rays, first, samples, places) << first;
     }
     for (; suspect; suspect &= suspect - 1) { // seldom
@@ -101,6 +104,7 @@ HWY_INLINE void resolve_samples(
         const int sample = std::countr_zero(run.samples);
         run.eye_side = side_of(
             volume[sample], volume_size[sample], [&] { return corners_of(view, run.item); });
+        keep_plane(plane, sample, run);
     }
 }
 

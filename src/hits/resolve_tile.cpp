@@ -40,6 +40,7 @@ struct RunBatch {
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns];
     alignas(64) double volume_size[kRuns];
+    alignas(64) float plane[4][kRuns]; // see WorldPlanes
 
     Corners corners(int i) const
     {
@@ -79,14 +80,14 @@ HWY_INLINE HitRun* find_block_runs(
         if (rest == 0) return next;
         const std::uint32_t id = item[std::countr_zero(rest)];
         const std::uint64_t samples = samples_with(item, id);
-        *next++ = {id, std::uint16_t(block), 0, samples};
+        *next++ = {.item = id, .block = std::uint16_t(block), .samples = samples};
         rest &= ~samples;
     }
     // There are many: all samples side by side, and the first of each run writes it.
     for (; rest; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
         const std::uint64_t samples = samples_with(item, item[k]);
-        *next = {item[k], std::uint16_t(block), 0, samples};
+        *next = {.item = item[k], .block = std::uint16_t(block), .samples = samples};
         next += std::countr_zero(samples) == k;
     }
     return next;
@@ -108,7 +109,7 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
     return std::size_t(next - places.run);
 }
 
-void set_up_runs(const ViewMemory& view, RunBatch& batch)
+void set_up_runs(const ViewMemory& view, const WorldPlanes& world, RunBatch& batch)
 {
     for (int i = 0; i < batch.count; ++i) {
         const glm::uvec3 index = view.index[batch.run[i]->item];
@@ -139,19 +140,21 @@ void set_up_runs(const ViewMemory& view, RunBatch& batch)
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
         hn::Store(p.volume_size, d, batch.volume_size + i);
+        world.store(p.n, p.volume, batch.plane, i);
     }
 }
 
-/// Hits of the batch's runs, and their sides; the batch is empty then.
-void resolve_batch(
-    const ViewMemory& view, const ItemTile& items, RunBatch& batch, const HitPlaces& places)
+/// Hits of the batch's runs, their sides and planes; the batch is empty then.
+void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPlanes& world,
+    RunBatch& batch, const HitPlaces& places)
 {
-    set_up_runs(view, batch);
+    set_up_runs(view, world, batch);
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int i = 0; i < batch.count; ++i) {
         HitRun& run = *batch.run[i];
         run.eye_side =
             side_of(batch.volume[i], batch.volume_size[i], [&] { return batch.corners(i); });
+        keep_plane(batch.plane, i, run);
         const BlockOfRays rays(items, run.block);
         const LanePlanes planes = batch.planes(i);
         std::uint64_t suspect = 0;
@@ -196,6 +199,7 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
 {
     const std::size_t count = find_runs(items, places);
     AskAhead ahead(view, {places.run, count});
+    const WorldPlanes world(view.pencil);
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {
@@ -204,15 +208,15 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
         const std::span<HitRun> runs(places.run + first, end - first);
         if (runs.size() >= kManyRuns) {
             ahead.go_on(end);
-            resolve_samples(view, items, runs, places);
+            resolve_samples(view, items, world, runs, places);
             continue;
         }
         for (HitRun& run : runs) {
             batch.run[batch.count++] = &run;
-            if (batch.count == kRuns) resolve_batch(view, items, batch, places);
+            if (batch.count == kRuns) resolve_batch(view, items, world, batch, places);
         }
     }
-    resolve_batch(view, items, batch, places);
+    resolve_batch(view, items, world, batch, places);
     return count;
 }
 

@@ -18,23 +18,25 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The corners of each sample's triangle, in a block. Samples that have none keep what they had in
+/// The corners of each sample's triangle, and its normal towards the eye, in a block. Samples that have none keep what they had in
 /// the blocks before.
 struct SampleCorners {
     std::uint32_t last;    // of all vertices
     bool has_last = false; // it was set in some block
     alignas(64) std::uint32_t vertex[3][kBlockSamples] = {};
+    alignas(64) float to_eye[3][kBlockSamples] = {};
 
     explicit SampleCorners(std::size_t vertices) : last(static_cast<std::uint32_t>(vertices - 1)) {}
 
-    HWY_INLINE void set(const glm::uvec3& corner, std::uint64_t samples)
+    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run)
     {
         has_last |= corner.x == last || corner.y == last || corner.z == last;
-        for (; samples != 0; samples &= samples - 1) {
-            const int k = std::countr_zero(samples);
+        for (std::uint64_t rest = run.samples; rest != 0; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
             vertex[0][k] = corner.x;
             vertex[1][k] = corner.y;
             vertex[2][k] = corner.z;
+            for (int axis = 0; axis < 3; ++axis) to_eye[axis][k] = run.normal[axis];
         }
     }
 };
@@ -84,47 +86,6 @@ HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* verte
 #endif
 }
 
-/// The flip of run_normal (run_setup.h), in the same steps.
-HWY_INLINE real flip_to_eye(
-    const glm::vec3& eye, const real3& p0, const real3& p1, const real3& p2, const real3& sum)
-{
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<float, decltype(d)> f;
-    using V = hn::Vec<decltype(d)>;
-    alignas(64) float in[12][kLanes], flip[kLanes];
-    const auto keep = [&](int row, const real3& v) {
-        store(v.x, in[row]);
-        store(v.y, in[row + 1]);
-        store(v.z, in[row + 2]);
-    };
-    keep(0, p0);
-    keep(3, p1);
-    keep(6, p2);
-    keep(9, sum);
-    for (int lane = 0; lane < kLanes; lane += int(hn::Lanes(d))) {
-        const auto at = [&](int row) { return hn::PromoteTo(d, hn::Load(f, in[row] + lane)); };
-        const V p[3] = {at(0), at(1), at(2)};
-        const V a[3] = {hn::Sub(at(3), p[0]), hn::Sub(at(4), p[1]), hn::Sub(at(5), p[2])};
-        const V b[3] = {hn::Sub(at(6), p[0]), hn::Sub(at(7), p[1]), hn::Sub(at(8), p[2])};
-        const V n[3] = {hn::Sub(hn::Mul(a[1], b[2]), hn::Mul(b[1], a[2])),
-            hn::Sub(hn::Mul(a[2], b[0]), hn::Mul(b[2], a[0])),
-            hn::Sub(hn::Mul(a[0], b[1]), hn::Mul(b[0], a[1]))};
-        const auto with_n = [&](V x, V y, V z) {
-            return hn::Add(hn::Add(hn::Mul(n[0], x), hn::Mul(n[1], y)), hn::Mul(n[2], z));
-        };
-        const auto from_eye = [&](int axis) {
-            return hn::Sub(p[axis], hn::Set(d, double(eye[axis])));
-        };
-        const V n_p0 = with_n(from_eye(0), from_eye(1), from_eye(2));
-        const V along = with_n(at(9), at(10), at(11));
-        const V one = hn::Set(d, 1.0);
-        const V side = hn::IfThenElse(hn::Gt(n_p0, hn::Zero(d)), hn::Neg(one), one);
-        const V sign = hn::IfThenElse(hn::Lt(hn::Mul(along, side), hn::Zero(d)), hn::Neg(one), one);
-        hn::Store(hn::DemoteTo(f, sign), f, flip + lane);
-    }
-    return load(flip);
-}
-
 /// Of the samples [first, first + kLanes) of the block, into the surface.
 template <bool kWhole>
 HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
@@ -135,8 +96,11 @@ HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, s
     };
     const real3 n0 = fetch(arrays.normal, 0), n1 = fetch(arrays.normal, 1),
                 n2 = fetch(arrays.normal, 2);
-    const real flip = flip_to_eye(hits.frame.eye, fetch(arrays.position, 0),
-        fetch(arrays.position, 1), fetch(arrays.position, 2), (n0 + n1) + n2);
+    // The flip of run_normal (run_setup.h), in the same steps.
+    const real3 to_eye(load(corners.to_eye[0] + first), load(corners.to_eye[1] + first),
+        load(corners.to_eye[2] + first));
+    const real flip =
+        mix(real(1.0f), real(-1.0f), dot((n0 + n1) + n2, to_eye) < real(0.0f));
     const real3 at0 = n0 * flip, to1 = (n1 - n0) * flip, to2 = (n2 - n0) * flip;
     const std::size_t at = block * kBlockSamples + std::size_t(first);
     const real u = load(hits.u + at), v = load(hits.v + at);

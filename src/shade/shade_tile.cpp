@@ -2,6 +2,7 @@
 #include "shade/shade_tile.h"
 
 #include "base/srgb.h"
+#include "hits/known_run.h"
 #include "shade/run_setup.h"
 #include "shade/shade_light.h"
 
@@ -76,9 +77,11 @@ class RunPrefetch {
             hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
         for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
              ++corner_) {
-            const glm::uvec3 corner = arrays_.scene->index[runs_[corner_].item];
+            const HitRun& next = runs_[corner_];
+            const glm::uvec3& corner = arrays_.scene->index[next.item];
+            const bool with_position = arrays_.uv || !next.has_plane();
             for (int k = 0; k < 3; ++k) {
-                hwy::Prefetch(&arrays_.position[corner[k]]);
+                if (with_position) hwy::Prefetch(&arrays_.position[corner[k]]);
                 hwy::Prefetch(&arrays_.normal[corner[k]]);
             }
         }
@@ -110,11 +113,16 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         materials.add(material, run.samples);
         const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         const bool seen = planes || (run.samples & reached) != 0;
-        if (one_by_one && seen) corners.set(scene.index[run.item], run.samples);
-        if (!texture && !with_uv && (one_by_one || !seen)) continue;
-
+        if (seen) {
+            HitRun spare;
+            const HitRun& known = known_run(run, tile.world, tile.hits.frame.eye, spare);
+            if (one_by_one)
+                corners.set(scene.index[run.item], known);
+            else
+                spread_normal(run_normal(arrays, scene.index[run.item], known.normal), run, tile.hits, surface);
+        }
+        if (!texture && !planes) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
-        if (seen && !one_by_one) spread_normal(run_normal(arrays, plane), run, tile.hits, surface);
         if (planes) spread_geometric(geometric_normal(plane), run, surface);
         if (!texture && !with_uv) continue;
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
