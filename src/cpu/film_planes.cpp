@@ -239,6 +239,11 @@ void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> 
 std::uint64_t count_hits(const HitTile& hits)
 {
     std::uint64_t count = 0;
+    if (hits.covered) {
+        for (std::size_t block = 0; block < hits.blocks(); ++block)
+            count += std::uint64_t(std::popcount(hits.covered[block]));
+        return count;
+    }
     for (const HitRun& run : hits.runs) count += std::uint64_t(std::popcount(run.samples));
     return count;
 }

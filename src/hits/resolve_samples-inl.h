@@ -60,6 +60,12 @@ HWY_INLINE Vector3<FloatLanes> fetch_corner(
 #endif
 }
 
+HWY_INLINE Vector3<DoubleLanes> wide(const Vector3<FloatLanes>& v)
+{
+    const Doubles d;
+    return {hn::PromoteTo(d, v.x), hn::PromoteTo(d, v.y), hn::PromoteTo(d, v.z)};
+}
+
 /// Hits of all samples of a block, and the sides and planes of its runs.
 HWY_INLINE void resolve_samples(
     const ViewMemory& view, const ItemTile& items, const WorldPlanes& world, std::span<HitRun> runs,
@@ -84,10 +90,6 @@ HWY_INLINE void resolve_samples(
         }
         const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
                    c2 = fetch_corner(view, index, 2);
-        const auto wide = [&](const Vector3<FloatLanes>& c) {
-            return Vector3<DoubleLanes>{
-                hn::PromoteTo(d, c.x), hn::PromoteTo(d, c.y), hn::PromoteTo(d, c.z)};
-        };
         const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
         const LanePlanes planes =
             lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);

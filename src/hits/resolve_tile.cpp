@@ -10,6 +10,7 @@
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
 #include "hits/lane_hits-inl.h"
+#include "hits/resolve_runs-inl.h"
 #include "hits/resolve_samples-inl.h"
 #include "hits/resolve_tile.h"
 #include "visibility/set_up-inl.h"
@@ -208,6 +209,12 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
         const std::span<HitRun> runs(places.run + first, end - first);
         if (runs.size() >= kManyRuns) {
             ahead.go_on(end);
+#if HWY_TARGET == HWY_AVX3
+            if (runs.size() <= kMostRunLanes) {
+                resolve_runs(view, items, world, runs, places);
+                continue;
+            }
+#endif
             resolve_samples(view, items, world, runs, places);
             continue;
         }
