@@ -20,8 +20,8 @@ inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
 {
     const glm::uvec3& corner = world.scene->index[run.item];
     const glm::dvec3 p0(world.position[corner.x]);
-    const glm::dvec3 n = glm::cross(glm::dvec3(world.position[corner.y]) - p0,
-        glm::dvec3(world.position[corner.z]) - p0);
+    const glm::dvec3 n = glm::cross(
+        glm::dvec3(world.position[corner.y]) - p0, glm::dvec3(world.position[corner.z]) - p0);
     const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
     const double height = glm::dot(n, glm::dvec3(eye) - p0) / largest;
     run.normal = glm::vec3(0);

@@ -79,7 +79,9 @@ class WorldPlanes {
         // n . (p - eye) = volume.
         const auto side = hn::IfThenElseZero(
             known, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(inverse), inverse));
-        const auto row = [&](int k, DoubleLanes v) { hn::Store(hn::DemoteTo(f, v), f, plane[k] + i); };
+        const auto row = [&](int k, DoubleLanes v) {
+            hn::Store(hn::DemoteTo(f, v), f, plane[k] + i);
+        };
         row(0, hn::Mul(x, side));
         row(1, hn::Mul(y, side));
         row(2, hn::Mul(z, side));
@@ -88,7 +90,7 @@ class WorldPlanes {
 
   private:
     static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
-    glm::dmat3 axes_;                                                      // columns: of n.x, n.y, n.z
+    glm::dmat3 axes_; // columns: of n.x, n.y, n.z
 };
 
 template <std::size_t kCount>

@@ -27,8 +27,8 @@ struct RunPlanes {
     alignas(64) float plane[4][kRuns]; // see WorldPlanes
 };
 
-HWY_INLINE void set_up_planes(const ViewMemory& view, const WorldPlanes& world,
-    std::span<const HitRun> runs, RunPlanes& out)
+HWY_INLINE void set_up_planes(
+    const ViewMemory& view, const WorldPlanes& world, std::span<const HitRun> runs, RunPlanes& out)
 {
     const Doubles d;
     const Floats f;

@@ -67,9 +67,8 @@ HWY_INLINE Vector3<DoubleLanes> wide(const Vector3<FloatLanes>& v)
 }
 
 /// Hits of all samples of a block, and the sides and planes of its runs.
-HWY_INLINE void resolve_samples(
-    const ViewMemory& view, const ItemTile& items, const WorldPlanes& world, std::span<HitRun> runs,
-    const HitPlaces& places)
+HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
+    const WorldPlanes& world, std::span<HitRun> runs, const HitPlaces& places)
 {
     const Doubles d;
     const BlockOfRays rays(items, runs[0].block);

@@ -31,6 +31,9 @@ constexpr int kRuns = 64; // set up together
 /// Runs of a block from which on its samples are set up one by one (measured).
 constexpr std::size_t kManyRuns = 5;
 
+/// Runs of a block from which on samples pick out of them, if they can (measured).
+[[maybe_unused]] constexpr std::size_t kSomeRuns = 3;
+
 /// A batch of runs and the planes of their triangles, structure of arrays.
 struct RunBatch {
     int count = 0;
@@ -207,14 +210,14 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
         for (end = first + 1; end < count && places.run[end].block == places.run[first].block;)
             ++end;
         const std::span<HitRun> runs(places.run + first, end - first);
-        if (runs.size() >= kManyRuns) {
-            ahead.go_on(end);
+        if (runs.size() >= kManyRuns) ahead.go_on(end);
 #if HWY_TARGET == HWY_AVX3
-            if (runs.size() <= kMostRunLanes) {
-                resolve_runs(view, items, world, runs, places);
-                continue;
-            }
+        if (runs.size() >= kSomeRuns && runs.size() <= kMostRunLanes) {
+            resolve_runs(view, items, world, runs, places);
+            continue;
+        }
 #endif
+        if (runs.size() >= kManyRuns) {
             resolve_samples(view, items, world, runs, places);
             continue;
         }

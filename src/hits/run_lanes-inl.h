@@ -34,8 +34,8 @@ class RunLanes {
     {
         __m512i number = _mm512_setzero_si512();
         for (std::size_t k = 1; k < runs.size(); ++k)
-            number = _mm512_mask_mov_epi8(
-                number, __mmask64(runs[k].samples), _mm512_set1_epi8(char(k)));
+            number =
+                _mm512_mask_mov_epi8(number, __mmask64(runs[k].samples), _mm512_set1_epi8(char(k)));
         _mm512_store_si512(number_, number);
     }
 
@@ -44,8 +44,7 @@ class RunLanes {
     {
         const __m512i number = _mm512_cvtepu8_epi64(
             _mm_loadl_epi64(reinterpret_cast<const __m128i*>(number_ + first)));
-        return _mm512_permutex2var_pd(
-            _mm512_load_pd(value), number, _mm512_load_pd(value + 8));
+        return _mm512_permutex2var_pd(_mm512_load_pd(value), number, _mm512_load_pd(value + 8));
     }
     HWY_INLINE __m256 of_eight(int first, const float (&value)[kMostRunLanes]) const
     {
@@ -57,8 +56,8 @@ class RunLanes {
     /// Of the samples [first, first + 16).
     HWY_INLINE __m512 of_samples(int first, __m512 value) const
     {
-        const __m512i number = _mm512_cvtepu8_epi32(
-            _mm_load_si128(reinterpret_cast<const __m128i*>(number_ + first)));
+        const __m512i number =
+            _mm512_cvtepu8_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(number_ + first)));
         return _mm512_permutexvar_ps(number, value);
     }
 

@@ -10,6 +10,7 @@
 #define FIRSTHIT_SHADE_SAMPLE_NORMALS_INL_H_
 #endif
 
+#include "hits/run_lanes-inl.h"
 #include "shade/block_surface-inl.h"
 
 #include <bit>
@@ -28,11 +29,12 @@ struct SampleCorners {
 
     explicit SampleCorners(std::size_t vertices) : last(static_cast<std::uint32_t>(vertices - 1)) {}
 
-    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run)
+    /// places  a bit for each: the run's samples, or its number
+    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run, std::uint64_t places)
     {
         has_last |= corner.x == last || corner.y == last || corner.z == last;
-        for (std::uint64_t rest = run.samples; rest != 0; rest &= rest - 1) {
-            const int k = std::countr_zero(rest);
+        for (; places != 0; places &= places - 1) {
+            const int k = std::countr_zero(places);
             vertex[0][k] = corner.x;
             vertex[1][k] = corner.y;
             vertex[2][k] = corner.z;
@@ -86,28 +88,72 @@ HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* verte
 #endif
 }
 
-/// Of the samples [first, first + kLanes) of the block, into the surface.
+/// As Interpolated<glm::vec3> (run_setup.h), a triangle a lane.
+struct LaneNormals {
+    real3 at0, to1, to2;
+};
+
+/// Of the triangles number first to first + kLanes - 1, in the steps of run_normal (run_setup.h).
 template <bool kWhole>
-HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
-    const SampleCorners& corners, int first, BlockSurface& surface)
+HWY_INLINE LaneNormals lane_normals(
+    const ShadeArrays& arrays, const SampleCorners& corners, int first)
 {
-    const auto fetch = [&](const glm::vec3* from, int corner) {
-        return fetch_vectors<kWhole>(from, corners.vertex[corner] + first);
+    const auto fetch = [&](int corner) {
+        return fetch_vectors<kWhole>(arrays.normal, corners.vertex[corner] + first);
     };
-    const real3 n0 = fetch(arrays.normal, 0), n1 = fetch(arrays.normal, 1),
-                n2 = fetch(arrays.normal, 2);
-    // The flip of run_normal (run_setup.h), in the same steps.
+    const real3 n0 = fetch(0), n1 = fetch(1), n2 = fetch(2);
     const real3 to_eye(load(corners.to_eye[0] + first), load(corners.to_eye[1] + first),
         load(corners.to_eye[2] + first));
-    const real flip =
-        mix(real(1.0f), real(-1.0f), dot((n0 + n1) + n2, to_eye) < real(0.0f));
-    const real3 at0 = n0 * flip, to1 = (n1 - n0) * flip, to2 = (n2 - n0) * flip;
+    const real flip = mix(real(1.0f), real(-1.0f), dot((n0 + n1) + n2, to_eye) < real(0.0f));
+    return {n0 * flip, (n1 - n0) * flip, (n2 - n0) * flip};
+}
+
+/// At the samples [first, first + kLanes) of the block, into the surface.
+HWY_INLINE void store_normals(const LaneNormals& normals, const HitTile& hits, std::size_t block,
+    int first, BlockSurface& surface)
+{
+    const auto& [at0, to1, to2] = normals;
     const std::size_t at = block * kBlockSamples + std::size_t(first);
     const real u = load(hits.u + at), v = load(hits.v + at);
     store(at0.x + (u * to1.x + v * to2.x), surface.normal[0] + first);
     store(at0.y + (u * to1.y + v * to2.y), surface.normal[1] + first);
     store(at0.z + (u * to1.z + v * to2.z), surface.normal[2] + first);
 }
+
+/// Of a block's samples that are reached, each with the corners of its own.
+template <bool kWhole>
+HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
+    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+{
+    for (int first = 0; first < kBlockSamples; first += kLanes)
+        if (lane_bits(reached, first) != 0)
+            store_normals(
+                lane_normals<kWhole>(arrays, corners, first), hits, block, first, surface);
+}
+
+#if HWY_TARGET == HWY_AVX3
+/// The same, of runs that are few enough for RunLanes, each with the corners of its number.
+template <bool kWhole>
+HWY_INLINE void sample_run_normals(const ShadeArrays& arrays, const HitTile& hits,
+    std::span<const HitRun> runs, std::uint64_t reached, const SampleCorners& corners,
+    BlockSurface& surface)
+{
+    static_assert(kMostRunLanes == kLanes);
+    const LaneNormals of_run = lane_normals<kWhole>(arrays, corners, 0);
+    const RunLanes lanes(runs);
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        if (lane_bits(reached, first) == 0) continue;
+        const auto pick = [&](const real3& v) {
+            const auto one = [&](real a) {
+                return real(hn::Vec<RealTag>{lanes.of_samples(first, a.lanes.raw)});
+            };
+            return real3(one(v.x), one(v.y), one(v.z));
+        };
+        store_normals({pick(of_run.at0), pick(of_run.to1), pick(of_run.to2)}, hits, runs[0].block,
+            first, surface);
+    }
+}
+#endif
 
 } // namespace HWY_NAMESPACE
 } // namespace firsthit

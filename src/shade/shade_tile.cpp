@@ -97,6 +97,20 @@ class RunPrefetch {
     std::size_t corner_ = 0;
 };
 
+/// Writes the normals of a block with many runs. See fetch_vectors about kWhole.
+template <bool kWhole>
+HWY_INLINE void spread_normals(const TileShade& tile, std::span<const HitRun> runs,
+    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+{
+#if HWY_TARGET == HWY_AVX3
+    if (runs.size() <= kMostRunLanes) {
+        sample_run_normals<kWhole>(tile.arrays, tile.hits, runs, reached, corners, surface);
+        return;
+    }
+#endif
+    sample_normals<kWhole>(tile.arrays, tile.hits, runs[0].block, reached, corners, surface);
+}
+
 /// Works out what the block's targets need of its runs' triangles.
 HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
     std::uint64_t reached, bool planes, SampleCorners& corners, BlockSurface& surface)
@@ -117,9 +131,12 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
             HitRun spare;
             const HitRun& known = known_run(run, tile.world, tile.hits.frame.eye, spare);
             if (one_by_one)
-                corners.set(scene.index[run.item], known);
+                corners.set(scene.index[run.item], known,
+                    runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())
+                                                 : run.samples);
             else
-                spread_normal(run_normal(arrays, scene.index[run.item], known.normal), run, tile.hits, surface);
+                spread_normal(run_normal(arrays, scene.index[run.item], known.normal), run,
+                    tile.hits, surface);
         }
         if (!texture && !planes) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
@@ -130,12 +147,11 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);
         spread_uv(uv, gradients, texture, run, tile.hits, surface);
     }
-    for (int first = 0; one_by_one && first < kBlockSamples; first += kLanes) {
-        if (lane_bits(reached, first) == 0) continue;
+    if (one_by_one) {
         if (corners.has_last)
-            sample_normals<true>(arrays, tile.hits, runs[0].block, corners, first, surface);
+            spread_normals<true>(tile, runs, reached, corners, surface);
         else
-            sample_normals<false>(arrays, tile.hits, runs[0].block, corners, first, surface);
+            spread_normals<false>(tile, runs, reached, corners, surface);
     }
     return materials;
 }
