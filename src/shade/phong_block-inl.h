@@ -136,18 +136,19 @@ struct ShadeGroup {
     bool planes;           // all targets are written, and the surface is complete
 };
 
-/// The texture's colours at the group's samples of two registers.
-HWY_INLINE wide::real3 textured(const Texture& texture, const BlockSurface& surface, int first,
-    std::uint64_t bits, const ByteTable& linear)
+/// The texture's light at the group's samples.
+HWY_INLINE void sample_block(const Texture& texture, const BlockSurface& surface,
+    std::uint64_t samples, const ByteTable& linear, float (&light)[3][kBlockSamples])
 {
-    real3 color[2] = {real3(1.0f, 1.0f, 1.0f), real3(1.0f, 1.0f, 1.0f)};
-    for (int half = 0; half < 2; ++half, first += kLanes, bits >>= kLanes) {
-        const std::uint64_t here = lane_bits(bits, 0);
-        if (here == 0) continue;
-        color[half] = sample_texture(texture, load(surface.uv[0] + first),
-            load(surface.uv[1] + first), load(surface.footprint2 + first), here, linear);
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t bits = lane_bits(samples, first);
+        if (bits == 0) continue;
+        const real3 color = sample_texture(texture, load(surface.uv[0] + first),
+            load(surface.uv[1] + first), load(surface.footprint2 + first), bits, linear);
+        store(color.x, light[0] + first);
+        store(color.y, light[1] + first);
+        store(color.z, light[2] + first);
     }
-    return {{color[0].x, color[1].x}, {color[0].y, color[1].y}, {color[0].z, color[1].z}};
 }
 
 /// Writes all targets for the group's samples.
@@ -157,10 +158,13 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
     const ShadeTargets& targets = tile.targets;
     const Scene& scene = *tile.world.scene;
     const Material& material = scene.materials[group.material];
-    const Texture* texture = tile.arrays.uv ? texture_of(scene, material) : nullptr;
+    const bool with_texture = tile.arrays.uv && (targets.color[0] || targets.albedo[0]);
+    const Texture* texture = with_texture ? texture_of(scene, material) : nullptr;
     const BlockRays rays = block_rays(tile.hits, group.block);
     const real3 right = both(rays.right), down = both(rays.down), forward = both(rays.forward);
     bool has_geometric = group.planes;
+    alignas(64) float texture_light[3][kBlockSamples];
+    if (texture) sample_block(*texture, surface, group.samples, tile.linear, texture_light);
 
     for (int first = 0; first < kBlockSamples; first += wide::kLanes) {
         const std::uint64_t bits = wide::lane_bits(group.samples, first);
@@ -182,8 +186,9 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
         };
 
         real3 texture_color(1.0f, 1.0f, 1.0f);
-        if (texture && (targets.color[0] || targets.albedo[0]))
-            texture_color = textured(*texture, surface, first, bits, tile.linear);
+        if (texture)
+            texture_color = real3(load(texture_light[0] + first), load(texture_light[1] + first),
+                load(texture_light[2] + first));
         const std::uint64_t reached = bits & wide::lane_bits(group.reached, first);
         if (!group.planes && reached == 0) {
             write(wide::from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
