@@ -6,6 +6,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <span>
@@ -21,11 +22,11 @@ struct HitRun {
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
 
     // The item's plane in world space, for what needs no exact answer: who has it fetches no corners.
-    // All 0 where that is not known.
-    glm::vec3 normal{0}; // towards the eye, its largest coordinate 1 or -1
-    float height = 0;    // of the eye above the plane: normal . (eye - p), p in the plane
+    // x, y, z: its normal towards the eye, the largest coordinate 1 or -1; w: height of the eye above it,
+    // normal . (eye - p), p in the plane. All 0 where that is not known.
+    glm::vec4 plane{0};
 
-    bool has_plane() const { return height > 0; }
+    bool has_plane() const { return plane.w > 0; }
 };
 static_assert(sizeof(HitRun) == 32, "two in a cache line");
 

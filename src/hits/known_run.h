@@ -14,7 +14,7 @@
 namespace firsthit {
 
 /// The run with its plane, from the triangle's corners, in double: neither tiny nor huge
-/// triangles lose their normal to float's range. Normal and height are 0 where the triangle has no area
+/// triangles lose their normal to float's range. It is 0 where the triangle has no area
 /// or the eye is in its plane.
 inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
 {
@@ -24,11 +24,9 @@ inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
         glm::dvec3(world.position[corner.y]) - p0, glm::dvec3(world.position[corner.z]) - p0);
     const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
     const double height = glm::dot(n, glm::dvec3(eye) - p0) / largest;
-    run.normal = glm::vec3(0);
-    run.height = 0;
-    if (!(std::abs(height) > 1e-30 && std::abs(height) < 1e30)) return run;
-    run.normal = glm::vec3(n / (height > 0 ? largest : -largest));
-    run.height = float(std::abs(height));
+    run.plane = glm::vec4(0);
+    if (std::abs(height) > 1e-30 && std::abs(height) < 1e30)
+        run.plane = glm::vec4(n / (height > 0 ? largest : -largest), std::abs(height));
     return run;
 }
 

@@ -56,11 +56,10 @@ class WorldPlanes {
         axes_[1] *= pencil.f;
     }
 
-    /// normal and height of HitRun, number i to i + kHitLanes - 1, a row for each coordinate; 0 where
-    /// the triangle has no area or the eye is in its plane.
-    template <std::size_t kCount>
+    /// HitRun::plane of number i to i + kHitLanes - 1; 0 where the triangle has no area or the eye is in
+    /// its plane.
     HWY_INLINE void store(
-        const Vector3<DoubleLanes>& n, DoubleLanes volume, float (&plane)[4][kCount], int i) const
+        const Vector3<DoubleLanes>& n, DoubleLanes volume, glm::vec4* plane, int i) const
     {
         const Doubles d;
         const Floats f;
@@ -79,26 +78,15 @@ class WorldPlanes {
         // n . (p - eye) = volume.
         const auto side = hn::IfThenElseZero(
             known, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(inverse), inverse));
-        const auto row = [&](int k, DoubleLanes v) {
-            hn::Store(hn::DemoteTo(f, v), f, plane[k] + i);
-        };
-        row(0, hn::Mul(x, side));
-        row(1, hn::Mul(y, side));
-        row(2, hn::Mul(z, side));
-        row(3, hn::IfThenElseZero(known, height));
+        const auto narrow = [&](DoubleLanes v) { return hn::DemoteTo(f, v); };
+        hn::StoreInterleaved4(narrow(hn::Mul(x, side)), narrow(hn::Mul(y, side)),
+            narrow(hn::Mul(z, side)), narrow(hn::IfThenElseZero(known, height)), f, &plane[i].x);
     }
 
   private:
     static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
     glm::dmat3 axes_; // columns: of n.x, n.y, n.z
 };
-
-template <std::size_t kCount>
-HWY_INLINE void keep_plane(const float (&plane)[4][kCount], int i, HitRun& run)
-{
-    run.normal = {plane[0][i], plane[1][i], plane[2][i]};
-    run.height = plane[3][i];
-}
 
 /// The rays of one block's samples.
 struct BlockOfRays {

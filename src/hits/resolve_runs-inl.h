@@ -24,7 +24,7 @@ struct RunPlanes {
     alignas(64) double n[3][kRuns], edge1[3][kRuns], edge2[3][kRuns]; // see LanePlanes
     alignas(64) double volume[kRuns], volume_size[kRuns];
     alignas(64) float nearest[kRuns], farthest[kRuns];
-    alignas(64) float plane[4][kRuns]; // see WorldPlanes
+    alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 };
 
 HWY_INLINE void set_up_planes(
@@ -71,7 +71,7 @@ HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
         covered |= run.samples;
         run.eye_side = side_of(
             table.volume[k], table.volume_size[k], [&] { return corners_of(view, run.item); });
-        keep_plane(table.plane, int(k), run);
+        run.plane = table.plane[k];
     }
     const RunLanes lanes(runs);
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;

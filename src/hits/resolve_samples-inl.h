@@ -77,7 +77,7 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
     for (const HitRun& run : runs) covered |= run.samples;
 
     alignas(64) double volume[kBlockSamples], volume_size[kBlockSamples];
-    alignas(64) float plane[4][kBlockSamples];
+    alignas(64) glm::vec4 plane[kBlockSamples];
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int first = 0; first < kBlockSamples; first += kHitLanes) {
         const std::uint64_t samples = covered >> first & kAll;
@@ -105,7 +105,7 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
         const int sample = std::countr_zero(run.samples);
         run.eye_side = side_of(
             volume[sample], volume_size[sample], [&] { return corners_of(view, run.item); });
-        keep_plane(plane, sample, run);
+        run.plane = plane[sample];
     }
 }
 

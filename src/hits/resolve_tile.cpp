@@ -44,7 +44,7 @@ struct RunBatch {
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns];
     alignas(64) double volume_size[kRuns];
-    alignas(64) float plane[4][kRuns]; // see WorldPlanes
+    alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 
     Corners corners(int i) const
     {
@@ -158,7 +158,7 @@ void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPla
         HitRun& run = *batch.run[i];
         run.eye_side =
             side_of(batch.volume[i], batch.volume_size[i], [&] { return batch.corners(i); });
-        keep_plane(batch.plane, i, run);
+        run.plane = batch.plane[i];
         const BlockOfRays rays(items, run.block);
         const LanePlanes planes = batch.planes(i);
         std::uint64_t suspect = 0;

@@ -138,8 +138,7 @@ HWY_INLINE void set_plane(
     const glm::vec3 d(direction.x[sample], direction.y[sample], direction.z[sample]);
     const float height = -t * (glm::dot(n, d) * towards);
     if (!(largest > 1e-30f && height > 1e-30f && height < 1e30f)) return; // known_run.h finds it
-    run.normal = n * towards;
-    run.height = height;
+    run.plane = glm::vec4(n * towards, height);
 }
 
 std::size_t find_runs(const HitPlaces& places, int block, const Facing& facing,

@@ -86,7 +86,7 @@ FIRSTHIT_PURE glm::vec3 geometric_normal(const RunPlane& plane)
 /// Of the side that the eye is on, not unit; 0 where the world has none. Normals go by the plane's
 /// side, not by the winding, which in real files opposes some of them.
 ///
-/// to_eye  the plane's normal towards the eye (HitRun::normal)
+/// to_eye  the plane's normal towards the eye (HitRun::plane)
 FIRSTHIT_PURE Interpolated<glm::vec3> run_normal(
     const ShadeArrays& arrays, const glm::uvec3& corner, const glm::vec3& to_eye)
 {

@@ -38,7 +38,7 @@ struct SampleCorners {
             vertex[0][k] = corner.x;
             vertex[1][k] = corner.y;
             vertex[2][k] = corner.z;
-            for (int axis = 0; axis < 3; ++axis) to_eye[axis][k] = run.normal[axis];
+            for (int axis = 0; axis < 3; ++axis) to_eye[axis][k] = run.plane[axis];
         }
     }
 };

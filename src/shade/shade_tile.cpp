@@ -135,8 +135,8 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
                     runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())
                                                  : run.samples);
             else
-                spread_normal(run_normal(arrays, scene.index[run.item], known.normal), run,
-                    tile.hits, surface);
+                spread_normal(run_normal(arrays, scene.index[run.item], glm::vec3(known.plane)),
+                    run, tile.hits, surface);
         }
         if (!texture && !planes) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);

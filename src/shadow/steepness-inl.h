@@ -78,8 +78,8 @@ inline void spread_steepness(
         for (std::size_t i = 0; i < runs.size(); ++i) {
             HitRun spare;
             const HitRun& run = known_run(runs[i], world, hits.frame.eye, spare);
-            for (int axis = 0; axis < 3; ++axis) batch.normal[axis][i] = run.normal[axis];
-            batch.height[i] = run.height;
+            for (int axis = 0; axis < 3; ++axis) batch.normal[axis][i] = run.plane[axis];
+            batch.height[i] = run.plane.w;
         }
         find_steepness(light, eye, int(runs.size()), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -39,9 +39,9 @@ TEST(HitRuns, KnowThePlanesThatTheirCornersSpan)
             for (const HitRun& run : tile->hits.runs) {
                 ASSERT_TRUE(run.has_plane());
                 const HitRun expected = with_plane(run, posed.world, tile->hits.frame.eye);
-                const glm::vec3 apart = glm::abs(run.normal - expected.normal);
+                const glm::vec4 apart = glm::abs(run.plane - expected.plane);
                 EXPECT_LT(std::max({apart.x, apart.y, apart.z}), 2e-4f);
-                EXPECT_NEAR(run.height / expected.height, 1, 2e-3);
+                EXPECT_NEAR(run.plane.w / expected.plane.w, 1, 2e-3);
                 ++runs;
             }
         EXPECT_GT(runs, 100u);
@@ -58,8 +58,7 @@ TEST(HitRuns, WithoutAreaOrBelowTheEyeHaveNoPlane)
     EXPECT_FALSE(with_plane({.item = 0}, world, glm::vec3(0)).has_plane());
     EXPECT_FALSE(with_plane({.item = 1}, world, glm::vec3(0)).has_plane());
     const HitRun run = with_plane({.item = 2}, world, glm::vec3(0));
-    EXPECT_EQ(run.normal, glm::vec3(0, 0, 1));
-    EXPECT_EQ(run.height, 4);
+    EXPECT_EQ(run.plane, glm::vec4(0, 0, 1, 4));
 }
 
 TEST(HitRuns, OfAnyNumberInABlockGiveTheSameBitsOnEveryInstructionSet)
@@ -90,8 +89,7 @@ TEST(HitRuns, OfAnyNumberInABlockGiveTheSameBitsOnEveryInstructionSet)
                 for (std::size_t i = 0; i < a.runs.size(); ++i) {
                     ASSERT_EQ(a.runs[i].samples, b.runs[i].samples);
                     ASSERT_EQ(a.runs[i].eye_side, b.runs[i].eye_side);
-                    ASSERT_EQ(a.runs[i].normal, b.runs[i].normal);
-                    ASSERT_EQ(a.runs[i].height, b.runs[i].height);
+                    ASSERT_EQ(a.runs[i].plane, b.runs[i].plane);
                 }
             }
         });
