@@ -1,6 +1,8 @@
 // copy_rows.h - a tile's planes, in the order of its samples, to rows of pixels.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <span>
 
@@ -22,5 +24,10 @@ struct PixelRect {
 ///             the caches, it would only push out of them what the next tile needs
 void copy_rows(const PixelRect& rect, int film_width, int tile_size,
     std::span<const float* const> from, float* to, bool stream);
+
+/// Gives all pixels of the rectangle the same colour; see copy_rows.
+/// to  (height, film_width, 3)
+void fill_rows(
+    const PixelRect& rect, int film_width, const glm::vec3& color, float* to, bool stream);
 
 } // namespace firsthit

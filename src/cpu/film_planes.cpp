@@ -214,6 +214,13 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     copy_shaded(shaded.albedo, film[Aov::albedo]);
 }
 
+void store_background(const TilePlace& place, const glm::vec3& background, Film& film)
+{
+    const std::size_t bytes = film.color.value.size() * sizeof(float);
+    fill_rows(
+        pixels_of(place), film.width, background, film.color.value.data(), bytes > kCachedBytes);
+}
+
 void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask)
 {
     const PixelRect rect = pixels_of(place);
@@ -239,6 +246,11 @@ void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> 
 std::uint64_t count_hits(const HitTile& hits)
 {
     std::uint64_t count = 0;
+    if (hits.covered) {
+        for (std::size_t block = 0; block < hits.blocks(); ++block)
+            count += std::uint64_t(std::popcount(hits.covered[block]));
+        return count;
+    }
     for (const HitRun& run : hits.runs) count += std::uint64_t(std::popcount(run.samples));
     return count;
 }

@@ -29,6 +29,10 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
 void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
     const ShadeTargets& shaded, Film& film);
 
+/// What store_tile does where the tile has no item, and only colour is asked for, with one sample a
+/// pixel.
+void store_background(const TilePlace& place, const glm::vec3& background, Film& film);
+
 /// Marks the tile's pixels whose samples are all holes: mask (height, width) of the film, 1 or 0.
 void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask);
 

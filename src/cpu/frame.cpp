@@ -99,15 +99,17 @@ HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameM
 
 /// The tile's colours and planes, to the film.
 void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
-    const TilePlace& place, const Packing* packing, TileWorker& worker, Film& film)
+    const TilePlace& place, const Pass& pass, TileWorker& worker, Film& film)
 {
     Stopwatch lap;
     const ShadeTargets& targets = worker.shade.targets;
-    if (packing) {
+    if (pass.packing) {
         const auto [x, y] = first_pixel(place.view, place.part, place.tile);
-        pack(*packing, x, y, hits, lit, world.lights.size(), worker.packed);
+        pack(*pass.packing, x, y, hits, lit, world.lights.size(), worker.packed);
         shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
         store_packed(worker.packed, place, targets, world.scene->background, film);
+    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1) {
+        store_background(place, world.scene->background, film);
     } else {
         shade_tile(hits, world, lit, targets); // what colour is it?
         store_tile(place, hits, lit, targets, film);
@@ -145,12 +147,15 @@ void render_part(const World& world, const View& view, const Region& part, const
     const std::size_t tiles = std::size_t(memory.view.tiles());
     const std::size_t kept = pass.shadows ? tiles : std::size_t(tasks.threads());
     resize(memory.hits, tile_size, kept);
+    memory.hits.misses = !pass.aovs.empty();
+    memory.hits.items =
+        memory.hits.misses || (pass.shadows && pass.shadows->shadows != Shadows::map);
     resize(memory.holes, tile_size, kept);
     const auto finish = [&](std::size_t tile, std::size_t place, const LitTile& lit,
                             const HitTile& hits, std::size_t number) {
         TilePlace where{memory.view, part, view.region, pass.samples, int(tile)};
         if (pass.fill) where.holes = memory.holes.of(place);
-        finish_tile(world, hits, lit, where, pass.packing, *memory.workers[number], film);
+        finish_tile(world, hits, lit, where, pass, *memory.workers[number], film);
         if (pass.fill) mark_holes(where, film.width, memory.holes.pixel.span());
     };
     if (!pass.shadows) {

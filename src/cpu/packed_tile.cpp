@@ -113,6 +113,7 @@ void pack(const Packing& packing, int x, int y, const HitTile& hits, const LitTi
     packed.hits.runs = packed.run.span().first(std::size_t(end - packed.run.data()));
     packed.hits.places = packed.place.span().first(count);
     packed.hits.packed = true;
+    packed.hits.covered = packed.covered.data();
     packed.hits.item = nullptr;
     packed.hits.t = packed.t.data();
     packed.hits.u = packed.u.data();

@@ -6,6 +6,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <span>
@@ -19,7 +20,15 @@ struct HitRun {
     std::uint16_t block = 0;   // number of the block in its tile; its samples start at 64 * block
     std::int16_t eye_side = 0; // 1 or -1: volume_sign (exact/hit.h) of the item in eye space
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
+
+    // The item's plane in world space, for what needs no exact answer: who has it fetches no corners.
+    // x, y, z: its normal towards the eye, the largest coordinate 1 or -1; w: height of the eye above it,
+    // normal . (eye - p), p in the plane. All 0 where that is not known.
+    glm::vec4 plane{0};
+
+    bool has_plane() const { return plane.w > 0; }
 };
+static_assert(sizeof(HitRun) == 32, "two in a cache line");
 
 /// How samples become world space. The ray of sample (x, y) of the tile is
 /// ((x0 + x) / f, (y0 + y) / f, 1) in a frame with x right, y down, z forward.
@@ -38,15 +47,17 @@ struct BlockPlace {
 };
 
 /// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. A sample
-/// without an item has t = +inf, u = v = 0.
+/// without an item has t = +inf, u = v = 0; but of a block that `covered` says to have no item at
+/// all, everything is undefined (HitMemory::misses).
 struct HitTile {
     int size = 64; // samples on a side
     TileFrame frame;
     std::span<const HitRun> runs;
-    const std::uint32_t* item = nullptr; // (size * size)
-    const float* t = nullptr;            // depth along the view axis, world units
-    const float* u = nullptr;            // weight of corner 1 (Embree's convention)
-    const float* v = nullptr;            // weight of corner 2
+    const std::uint64_t* covered = nullptr; // (blocks) samples with an item, a bit each; or null
+    const std::uint32_t* item = nullptr;    // (size * size), or null
+    const float* t = nullptr;               // depth along the view axis, world units
+    const float* u = nullptr;               // weight of corner 1 (Embree's convention)
+    const float* v = nullptr;               // weight of corner 2
 
     /// Shading alone also takes packed samples (cpu/packed_tile.h): then `places` has a place for
     /// each block, and `item` is null.
@@ -58,6 +69,9 @@ struct HitTile {
         const auto blocks_x = std::size_t(size / kBlock);
         return packed ? places.size() : blocks_x * blocks_x;
     }
+
+    /// Whether the block is known to have no item.
+    bool is_empty(int block) const { return covered && covered[block] == 0; }
 };
 
 } // namespace firsthit

@@ -47,6 +47,47 @@ HWY_INLINE LanePlanes lane_planes(const Vector3<DoubleLanes>& n, const Vector3<D
         hn::Mul(hn::Max(z0, hn::Max(z1, z2)), hn::Set(f, 1 + 0x1p-20f))};
 }
 
+/// From a plane over samples (see Planes) to one in world space.
+class WorldPlanes {
+  public:
+    explicit WorldPlanes(const Pencil& pencil) : axes_(pencil.world_from_axes)
+    {
+        axes_[0] *= pencil.f;
+        axes_[1] *= pencil.f;
+    }
+
+    /// HitRun::plane of number i to i + kHitLanes - 1; 0 where the triangle has no area or the eye is in
+    /// its plane.
+    HWY_INLINE void store(
+        const Vector3<DoubleLanes>& n, DoubleLanes volume, glm::vec4* plane, int i) const
+    {
+        const Doubles d;
+        const Floats f;
+        const auto axis = [&](int k) {
+            return hn::Add(hn::Add(hn::Mul(n.x, hn::Set(d, axes_[0][k])),
+                               hn::Mul(n.y, hn::Set(d, axes_[1][k]))),
+                hn::Mul(n.z, hn::Set(d, axes_[2][k])));
+        };
+        const auto x = axis(0), y = axis(1), z = axis(2), zero = hn::Zero(d);
+        const auto largest = hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z)));
+        const auto inverse = hn::Div(hn::Set(d, 1.0), largest);
+        const auto height = hn::Mul(hn::Abs(volume), inverse);
+        // No number: false.
+        const auto known = hn::And(hn::Gt(height, hn::Set(d, double(kLeastHeight))),
+            hn::Lt(height, hn::Set(d, double(kGreatestHeight))));
+        // n . (p - eye) = volume.
+        const auto side = hn::IfThenElseZero(
+            known, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(inverse), inverse));
+        const auto narrow = [&](DoubleLanes v) { return hn::DemoteTo(f, v); };
+        hn::StoreInterleaved4(narrow(hn::Mul(x, side)), narrow(hn::Mul(y, side)),
+            narrow(hn::Mul(z, side)), narrow(hn::IfThenElseZero(known, height)), f, &plane[i].x);
+    }
+
+  private:
+    static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
+    glm::dmat3 axes_; // columns: of n.x, n.y, n.z
+};
+
 /// The rays of one block's samples.
 struct BlockOfRays {
     double x0, y0; // of its first sample

@@ -60,9 +60,15 @@ HWY_INLINE Vector3<FloatLanes> fetch_corner(
 #endif
 }
 
-/// Hits of all samples of a block, and the sides of its runs.
-HWY_INLINE void resolve_samples(
-    const ViewMemory& view, const ItemTile& items, std::span<HitRun> runs, const HitPlaces& places)
+HWY_INLINE Vector3<DoubleLanes> wide(const Vector3<FloatLanes>& v)
+{
+    const Doubles d;
+    return {hn::PromoteTo(d, v.x), hn::PromoteTo(d, v.y), hn::PromoteTo(d, v.z)};
+}
+
+/// Hits of all samples of a block, and the sides and planes of its runs.
+HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
+    const WorldPlanes& world, std::span<HitRun> runs, const HitPlaces& places)
 {
     const Doubles d;
     const BlockOfRays rays(items, runs[0].block);
@@ -71,6 +77,7 @@ HWY_INLINE void resolve_samples(
     for (const HitRun& run : runs) covered |= run.samples;
 
     alignas(64) double volume[kBlockSamples], volume_size[kBlockSamples];
+    alignas(64) glm::vec4 plane[kBlockSamples];
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int first = 0; first < kBlockSamples; first += kHitLanes) {
         const std::uint64_t samples = covered >> first & kAll;
@@ -82,15 +89,12 @@ HWY_INLINE void resolve_samples(
         }
         const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
                    c2 = fetch_corner(view, index, 2);
-        const auto wide = [&](const Vector3<FloatLanes>& c) {
-            return Vector3<DoubleLanes>{
-                hn::PromoteTo(d, c.x), hn::PromoteTo(d, c.y), hn::PromoteTo(d, c.z)};
-        };
         const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
         const LanePlanes planes =
             lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
         hn::Store(p.volume, d, volume + first);
         hn::Store(p.volume_size, d, volume_size + first);
+        world.store(p.n, p.volume, plane, first);
         suspect |= meet(planes, rays, first, samples, places) << first;
     }
     for (; suspect; suspect &= suspect - 1) { // seldom
@@ -101,6 +105,7 @@ HWY_INLINE void resolve_samples(
         const int sample = std::countr_zero(run.samples);
         run.eye_side = side_of(
             volume[sample], volume_size[sample], [&] { return corners_of(view, run.item); });
+        run.plane = plane[sample];
     }
 }
 

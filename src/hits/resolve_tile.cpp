@@ -10,6 +10,7 @@
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
 #include "hits/lane_hits-inl.h"
+#include "hits/resolve_runs-inl.h"
 #include "hits/resolve_samples-inl.h"
 #include "hits/resolve_tile.h"
 #include "visibility/set_up-inl.h"
@@ -30,6 +31,9 @@ constexpr int kRuns = 64; // set up together
 /// Runs of a block from which on its samples are set up one by one (measured).
 constexpr std::size_t kManyRuns = 5;
 
+/// Runs of a block from which on samples pick out of them, if they can (measured).
+[[maybe_unused]] constexpr std::size_t kSomeRuns = 3;
+
 /// A batch of runs and the planes of their triangles, structure of arrays.
 struct RunBatch {
     int count = 0;
@@ -40,6 +44,7 @@ struct RunBatch {
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns];
     alignas(64) double volume_size[kRuns];
+    alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 
     Corners corners(int i) const
     {
@@ -79,14 +84,14 @@ HWY_INLINE HitRun* find_block_runs(
         if (rest == 0) return next;
         const std::uint32_t id = item[std::countr_zero(rest)];
         const std::uint64_t samples = samples_with(item, id);
-        *next++ = {id, std::uint16_t(block), 0, samples};
+        *next++ = {.item = id, .block = std::uint16_t(block), .samples = samples};
         rest &= ~samples;
     }
     // There are many: all samples side by side, and the first of each run writes it.
     for (; rest; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
         const std::uint64_t samples = samples_with(item, item[k]);
-        *next = {item[k], std::uint16_t(block), 0, samples};
+        *next = {.item = item[k], .block = std::uint16_t(block), .samples = samples};
         next += std::countr_zero(samples) == k;
     }
     return next;
@@ -99,13 +104,16 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
     for (int block = 0; block < items.blocks(); ++block) {
         const std::uint32_t* item = items.item.data() + block * kBlockSamples;
         const std::uint64_t covered = ~samples_with(item, kNoItem);
+        places.covered[block] = covered;
+        if (covered == 0 && !places.misses) continue;
         if (~covered) fill_misses(block, places);
+        if (places.items) std::copy_n(item, kBlockSamples, places.item + block * kBlockSamples);
         next = find_block_runs(item, block, covered, next);
     }
     return std::size_t(next - places.run);
 }
 
-void set_up_runs(const ViewMemory& view, RunBatch& batch)
+void set_up_runs(const ViewMemory& view, const WorldPlanes& world, RunBatch& batch)
 {
     for (int i = 0; i < batch.count; ++i) {
         const glm::uvec3 index = view.index[batch.run[i]->item];
@@ -136,19 +144,21 @@ void set_up_runs(const ViewMemory& view, RunBatch& batch)
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
         hn::Store(p.volume_size, d, batch.volume_size + i);
+        world.store(p.n, p.volume, batch.plane, i);
     }
 }
 
-/// Hits of the batch's runs, and their sides; the batch is empty then.
-void resolve_batch(
-    const ViewMemory& view, const ItemTile& items, RunBatch& batch, const HitPlaces& places)
+/// Hits of the batch's runs, their sides and planes; the batch is empty then.
+void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPlanes& world,
+    RunBatch& batch, const HitPlaces& places)
 {
-    set_up_runs(view, batch);
+    set_up_runs(view, world, batch);
     constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int i = 0; i < batch.count; ++i) {
         HitRun& run = *batch.run[i];
         run.eye_side =
             side_of(batch.volume[i], batch.volume_size[i], [&] { return batch.corners(i); });
+        run.plane = batch.plane[i];
         const BlockOfRays rays(items, run.block);
         const LanePlanes planes = batch.planes(i);
         std::uint64_t suspect = 0;
@@ -193,23 +203,30 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
 {
     const std::size_t count = find_runs(items, places);
     AskAhead ahead(view, {places.run, count});
+    const WorldPlanes world(view.pencil);
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {
         for (end = first + 1; end < count && places.run[end].block == places.run[first].block;)
             ++end;
         const std::span<HitRun> runs(places.run + first, end - first);
+        if (runs.size() >= kManyRuns) ahead.go_on(end);
+#if HWY_TARGET == HWY_AVX3
+        if (runs.size() >= kSomeRuns && runs.size() <= kMostRunLanes) {
+            resolve_runs(view, items, world, runs, places);
+            continue;
+        }
+#endif
         if (runs.size() >= kManyRuns) {
-            ahead.go_on(end);
-            resolve_samples(view, items, runs, places);
+            resolve_samples(view, items, world, runs, places);
             continue;
         }
         for (HitRun& run : runs) {
             batch.run[batch.count++] = &run;
-            if (batch.count == kRuns) resolve_batch(view, items, batch, places);
+            if (batch.count == kRuns) resolve_batch(view, items, world, batch, places);
         }
     }
-    resolve_batch(view, items, batch, places);
+    resolve_batch(view, items, world, batch, places);
     return count;
 }
 
@@ -227,6 +244,7 @@ void resize(HitMemory& memory, int tile_size, std::size_t tiles)
 {
     memory.samples = std::size_t(tile_size) * std::size_t(tile_size);
     memory.run.resize(tiles * memory.samples);
+    memory.covered.resize(tiles * memory.samples / kBlockSamples);
     memory.item.resize(tiles * memory.samples);
     for (Buffer<float>* plane : {&memory.t, &memory.u, &memory.v})
         plane->resize(tiles * memory.samples);
@@ -243,8 +261,8 @@ HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPla
     hits.frame.eye = glm::vec3(view.pencil.eye);
     hits.frame.world_from_eye = glm::mat3(view.pencil.world_from_axes);
     hits.runs = std::span<const HitRun>(places.run, runs);
-    std::copy_n(items.item.data(), std::size_t(items.size) * std::size_t(items.size), places.item);
-    hits.item = places.item;
+    hits.covered = places.covered;
+    hits.item = places.items ? places.item : nullptr;
     hits.t = places.t;
     hits.u = places.u;
     hits.v = places.v;

@@ -11,24 +11,31 @@ namespace firsthit {
 /// Where the hits of one tile go: room for size * size of each, aligned to 64 bytes.
 struct HitPlaces {
     HitRun* run = nullptr;
+    std::uint64_t* covered = nullptr; // (blocks)
     std::uint32_t* item = nullptr;
     float* t = nullptr;
     float* u = nullptr;
     float* v = nullptr;
+    bool items = true, misses = true; // see HitMemory
 };
 
 /// Room for the hits of some tiles.
 struct HitMemory {
     Buffer<HitRun, Pages::small> run; // (tiles, samples); a tile fills the start of its part
+    Buffer<std::uint64_t> covered;    // (tiles, blocks)
     Buffer<std::uint32_t> item;
     Buffer<float> t, u, v;   // (tiles, samples)
     std::size_t samples = 0; // of a tile
 
+    // What few ask for takes memory's time to write and to read.
+    bool items = true;  // HitTile::item is there
+    bool misses = true; // of blocks without any item, t, u, v and item are written too
+
     HitPlaces of(std::size_t tile)
     {
         const std::size_t first = tile * samples;
-        return {run.data() + first, item.data() + first, t.data() + first, u.data() + first,
-            v.data() + first};
+        return {run.data() + first, covered.data() + first / kBlockSamples, item.data() + first,
+            t.data() + first, u.data() + first, v.data() + first, items, misses};
     }
 };
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -60,6 +61,7 @@ struct Facing {
     std::uint64_t away;   // volume_sign 1
     std::uint64_t* light; // light 0
     std::size_t stride;   // to the next light
+    BlockVectors normal;  // of the triangles, not unit
 };
 
 /// The items of a packet's lanes from k on: triangles are numbered in each geometry.
@@ -110,6 +112,9 @@ HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const Emb
             return hn::Add(hn::Add(hn::Mul(nx, x), hn::Mul(ny, y)), hn::Mul(nz, z));
         };
         const int sample = first + k;
+        hn::Store(nx, f, facing.normal.x + sample);
+        hn::Store(ny, f, facing.normal.y + sample);
+        hn::Store(nz, f, facing.normal.z + sample);
         const auto along = dot(hn::Load(f, direction.x + sample), hn::Load(f, direction.y + sample),
             hn::Load(f, direction.z + sample));
         facing.away |= bits_of(f, hn::AndNot(none, hn::Gt(along, zero))) << sample;
@@ -123,15 +128,35 @@ HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const Emb
     }
 }
 
-std::size_t find_runs(const HitPlaces& places, int block, std::uint64_t away, HitRun* next)
+/// Gives the run its plane, from the normal of one of its samples and the ray there.
+HWY_INLINE void set_plane(
+    const BlockVectors& normal, const BlockVectors& direction, float t, int sample, HitRun& run)
+{
+    const glm::vec3 n(normal.x[sample], normal.y[sample], normal.z[sample]);
+    const float largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    const float towards = run.eye_side > 0 ? -1 / largest : 1 / largest;
+    const glm::vec3 d(direction.x[sample], direction.y[sample], direction.z[sample]);
+    const float height = -t * (glm::dot(n, d) * towards);
+    if (!(largest > 1e-30f && height > 1e-30f && height < 1e30f)) return; // known_run.h finds it
+    run.plane = glm::vec4(n * towards, height);
+}
+
+std::size_t find_runs(const HitPlaces& places, int block, const Facing& facing,
+    const BlockVectors& direction, HitRun* next)
 {
     const std::uint32_t* item = places.item + block * kBlockSamples;
+    const float* t = places.t + block * kBlockSamples;
     HitRun* const first = next;
-    for (std::uint64_t rest = ~samples_with(item, kNoItem); rest;) {
+    places.covered[block] = ~samples_with(item, kNoItem);
+    for (std::uint64_t rest = places.covered[block]; rest;) {
         const int sample = std::countr_zero(rest);
         const std::uint64_t samples = samples_with(item, item[sample]);
-        const int side = away >> sample & 1 ? 1 : -1;
-        *next++ = {item[sample], std::uint16_t(block), std::int16_t(side), samples};
+        const int side = facing.away >> sample & 1 ? 1 : -1;
+        *next = {.item = item[sample],
+            .block = std::uint16_t(block),
+            .eye_side = std::int16_t(side),
+            .samples = samples};
+        set_plane(facing.normal, direction, t[sample], sample, *next++);
         rest &= ~samples;
     }
     return std::size_t(next - first);
@@ -154,7 +179,10 @@ std::size_t see_by(const EmbreeTile& tile, const HitPlaces& places, EmbreeTileMe
         const int left = tile.width - block % blocks_x * kBlock,
                   above = tile.height - block / blocks_x * kBlock;
         const bool whole = left >= kBlock && above >= kBlock;
-        Facing facing{0, memory.facing.data() + block, std::size_t(blocks)};
+        Facing facing;
+        facing.away = 0;
+        facing.light = memory.facing.data() + block;
+        facing.stride = std::size_t(blocks);
         const std::size_t at = std::size_t(block) * kBlockSamples;
         for (int first = 0; first < kBlockSamples; first += kRays) {
             for (int k = 0; !whole && k < kRays; ++k)
@@ -163,7 +191,7 @@ std::size_t see_by(const EmbreeTile& tile, const HitPlaces& places, EmbreeTileMe
             take<kRays>(packets.rays, tile, direction, first, at, places, memory, facing);
         }
         if (!whole) std::fill_n(packets.valid, kRays, -1);
-        runs += find_runs(places, block, facing.away, places.run + runs);
+        runs += find_runs(places, block, facing, direction, places.run + runs);
     }
     return runs;
 }
@@ -207,6 +235,7 @@ HitTile see_embree(const EmbreeTile& tile, const HitPlaces& places, std::span<co
     hits.size = tile.size;
     hits.frame = tile.frame;
     hits.runs = std::span<const HitRun>(places.run, runs);
+    hits.covered = places.covered;
     hits.item = places.item;
     hits.t = places.t;
     hits.u = places.u;

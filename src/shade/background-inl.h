@@ -32,9 +32,13 @@ inline void fill_background(
 {
     constexpr int kMaxBlocks = (kMaxTile / kBlock) * (kMaxTile / kBlock);
     const int blocks = static_cast<int>(hits.blocks());
-    std::uint64_t covered[kMaxBlocks];
-    for (int block = 0; block < blocks; ++block) covered[block] = 0;
-    for (const HitRun& run : hits.runs) covered[run.block] |= run.samples;
+    std::uint64_t found[kMaxBlocks];
+    const std::uint64_t* covered = hits.covered;
+    if (!covered) {
+        for (int block = 0; block < blocks; ++block) found[block] = 0;
+        for (const HitRun& run : hits.runs) found[run.block] |= run.samples;
+        covered = found;
+    }
 
     for (int block = 0; block < blocks; ++block) {
         const std::uint64_t samples = ~covered[block];

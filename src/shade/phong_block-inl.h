@@ -6,7 +6,8 @@
 #define FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
 #endif
 
-#include "hits/spot_cone-inl.h"
+#include "base/wide_real-inl.h"
+#include "hits/spot_cone.h"
 #include "shade/sample_texture-inl.h"
 #include "shade/phong_exponent.h"
 #include "shade/shade_light.h"
@@ -27,7 +28,24 @@ struct TileShade {
     const ByteTable& linear; // light of the 256 sRGB codes
 };
 
-/// The samples of one register.
+namespace wide {
+
+#include "glsl/hit_position.glsl"
+#include "glsl/power.glsl"
+#include "glsl/phong.glsl"
+#include "glsl/spot_cone.glsl"
+
+FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
+{
+    return real3(v.x, v.y, v.z);
+}
+
+FIRSTHIT_PURE real3 select3(truth choose_a, real3 a, real3 b)
+{
+    return real3(mix(b.x, a.x, choose_a), mix(b.y, a.y, choose_a), mix(b.z, a.z, choose_a));
+}
+
+/// The samples of two registers.
 struct ShadedPoints {
     std::size_t at;     // of the first sample, in the tile
     std::uint64_t bits; // lanes that are asked for
@@ -63,7 +81,8 @@ HWY_INLINE real3 phong(
             to_light = unit(from_glm(light.position) - points.position);
         } else if (light.kind == Light::Kind::spot) {
             const real3 d = points.position - from_glm(light.position);
-            share = share * spot_share(light.cone, d);
+            const SpotCone& cone = light.cone;
+            share = share * cone_share(versine(from_glm(cone.axis), d), cone.outer, cone.inv_width);
             if (in_no_lane(share)) continue;
             to_light = unit(real3(0.0f, 0.0f, 0.0f) - d);
         }
@@ -81,6 +100,8 @@ HWY_INLINE real3 phong(
     }
     return color;
 }
+
+} // namespace wide
 
 /// The samples of a block that some light may reach.
 HWY_INLINE std::uint64_t reached_samples(const TileShade& tile, std::uint32_t block)
@@ -115,48 +136,74 @@ struct ShadeGroup {
     bool planes;           // all targets are written, and the surface is complete
 };
 
+/// The texture's light at the group's samples.
+HWY_INLINE void sample_block(const Texture& texture, const BlockSurface& surface,
+    std::uint64_t samples, const ByteTable& linear, float (&light)[3][kBlockSamples])
+{
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t bits = lane_bits(samples, first);
+        if (bits == 0) continue;
+        const real3 color = sample_texture(texture, load(surface.uv[0] + first),
+            load(surface.uv[1] + first), load(surface.footprint2 + first), bits, linear);
+        store(color.x, light[0] + first);
+        store(color.y, light[1] + first);
+        store(color.z, light[2] + first);
+    }
+}
+
 /// Writes all targets for the group's samples.
 HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, BlockSurface& surface)
 {
+    using wide::both, wide::load, wide::real, wide::real3;
     const ShadeTargets& targets = tile.targets;
     const Scene& scene = *tile.world.scene;
     const Material& material = scene.materials[group.material];
-    const Texture* texture = tile.arrays.uv ? texture_of(scene, material) : nullptr;
+    const bool with_texture = tile.arrays.uv && (targets.color[0] || targets.albedo[0]);
+    const Texture* texture = with_texture ? texture_of(scene, material) : nullptr;
     const BlockRays rays = block_rays(tile.hits, group.block);
+    const real3 right = both(rays.right), down = both(rays.down), forward = both(rays.forward);
     bool has_geometric = group.planes;
+    alignas(64) float texture_light[3][kBlockSamples];
+    if (texture) sample_block(*texture, surface, group.samples, tile.linear, texture_light);
 
-    for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const std::uint64_t bits = lane_bits(group.samples, first);
+    for (int first = 0; first < kBlockSamples; first += wide::kLanes) {
+        const std::uint64_t bits = wide::lane_bits(group.samples, first);
         if (bits == 0) continue;
-        const truth chosen = truth_of_bits(bits);
-        const bool all = bits == lane_bits(~std::uint64_t(0), 0);
+        const wide::truth chosen = wide::truth_of_bits(bits);
+        const bool all = bits == wide::lane_bits(~std::uint64_t(0), 0);
         const std::size_t at = std::size_t(group.block) * kBlockSamples + std::size_t(first);
+        const auto write_one = [&](const real& value, float* plane) {
+            if (all)
+                store(value, plane + at);
+            else
+                store_where(chosen, value, plane + at);
+        };
         const auto write = [&](const real3& value, float* const(&plane)[3]) {
             if (!plane[0]) return;
-            store_where(chosen, all, value.x, plane[0] + at);
-            store_where(chosen, all, value.y, plane[1] + at);
-            store_where(chosen, all, value.z, plane[2] + at);
+            write_one(value.x, plane[0]);
+            write_one(value.y, plane[1]);
+            write_one(value.z, plane[2]);
         };
 
-        const real u = load(surface.uv[0] + first);
-        const real v = load(surface.uv[1] + first);
         real3 texture_color(1.0f, 1.0f, 1.0f);
-        if (texture && (targets.color[0] || targets.albedo[0]))
-            texture_color =
-                sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
-        if (!group.planes && (bits & lane_bits(group.reached, first)) == 0) {
-            write(from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
+        if (texture)
+            texture_color = real3(load(texture_light[0] + first), load(texture_light[1] + first),
+                load(texture_light[2] + first));
+        const std::uint64_t reached = bits & wide::lane_bits(group.reached, first);
+        if (!group.planes && reached == 0) {
+            write(wide::from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
             continue;
         }
 
-        const real3 direction = ray_direction(rays, first);
-        const real3 position = hit_position(rays.eye, direction, load(tile.hits.t + at));
+        const real3 direction = wide::ray_direction(real(rays.x0) + load(rays.samples->x + first),
+            real(rays.y0) + load(rays.samples->y + first), real(rays.inv_f), right, down, forward);
+        const real3 position =
+            wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
         const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
         const real3 interpolated(load(surface.normal[0] + first), load(surface.normal[1] + first),
             load(surface.normal[2] + first));
         if (!has_geometric &&
-            (bits & lane_bits(group.reached, first) &
-                ~bits_of_truth(has_direction(bend_to_eye(interpolated, to_eye))))) {
+            (reached & ~bits_of_truth(has_direction(bend_to_eye(interpolated, to_eye))))) {
             find_geometric(tile, group.runs, surface);
             has_geometric = true;
         }
@@ -168,10 +215,10 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
             write(position, targets.position);
             write(geometric, targets.geometric_normal);
             write(normal, targets.normal);
-            write(from_glm(material.diffuse) * texture_color, targets.albedo);
+            write(wide::from_glm(material.diffuse) * texture_color, targets.albedo);
             if (targets.uv[0]) {
-                store_where(chosen, all, u, targets.uv[0] + at);
-                store_where(chosen, all, v, targets.uv[1] + at);
+                write_one(load(surface.uv[0] + first), targets.uv[0]);
+                write_one(load(surface.uv[1] + first), targets.uv[1]);
             }
         }
         if (targets.color[0])

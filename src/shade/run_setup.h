@@ -85,14 +85,18 @@ FIRSTHIT_PURE glm::vec3 geometric_normal(const RunPlane& plane)
 
 /// Of the side that the eye is on, not unit; 0 where the world has none. Normals go by the plane's
 /// side, not by the winding, which in real files opposes some of them.
-FIRSTHIT_PURE Interpolated<glm::vec3> run_normal(const ShadeArrays& arrays, const RunPlane& plane)
+///
+/// to_eye  the plane's normal towards the eye (HitRun::plane)
+FIRSTHIT_PURE Interpolated<glm::vec3> run_normal(
+    const ShadeArrays& arrays, const glm::uvec3& corner, const glm::vec3& to_eye)
 {
     if (!arrays.normal) return {};
-    const glm::vec3 n0 = arrays.normal[plane.corner.x];
-    const glm::vec3 n1 = arrays.normal[plane.corner.y];
-    const glm::vec3 n2 = arrays.normal[plane.corner.z];
-    const glm::dvec3 sum(n0 + n1 + n2);
-    const float flip = glm::dot(sum, plane.n) * plane.side < 0 ? -1.0f : 1.0f;
+    const glm::vec3 n0 = arrays.normal[corner.x];
+    const glm::vec3 n1 = arrays.normal[corner.y];
+    const glm::vec3 n2 = arrays.normal[corner.z];
+    const glm::vec3 sum = n0 + n1 + n2;
+    const float along = (sum.x * to_eye.x + sum.y * to_eye.y) + sum.z * to_eye.z;
+    const float flip = along < 0 ? -1.0f : 1.0f;
     return {n0 * flip, (n1 - n0) * flip, (n2 - n0) * flip};
 }
 

@@ -10,6 +10,7 @@
 #define FIRSTHIT_SHADE_SAMPLE_NORMALS_INL_H_
 #endif
 
+#include "hits/run_lanes-inl.h"
 #include "shade/block_surface-inl.h"
 
 #include <bit>
@@ -18,23 +19,26 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The corners of each sample's triangle, in a block. Samples that have none keep what they had in
+/// The corners of each sample's triangle, and its normal towards the eye, in a block. Samples that have none keep what they had in
 /// the blocks before.
 struct SampleCorners {
     std::uint32_t last;    // of all vertices
     bool has_last = false; // it was set in some block
     alignas(64) std::uint32_t vertex[3][kBlockSamples] = {};
+    alignas(64) float to_eye[3][kBlockSamples] = {};
 
     explicit SampleCorners(std::size_t vertices) : last(static_cast<std::uint32_t>(vertices - 1)) {}
 
-    HWY_INLINE void set(const glm::uvec3& corner, std::uint64_t samples)
+    /// places  a bit for each: the run's samples, or its number
+    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run, std::uint64_t places)
     {
         has_last |= corner.x == last || corner.y == last || corner.z == last;
-        for (; samples != 0; samples &= samples - 1) {
-            const int k = std::countr_zero(samples);
+        for (; places != 0; places &= places - 1) {
+            const int k = std::countr_zero(places);
             vertex[0][k] = corner.x;
             vertex[1][k] = corner.y;
             vertex[2][k] = corner.z;
+            for (int axis = 0; axis < 3; ++axis) to_eye[axis][k] = run.plane[axis];
         }
     }
 };
@@ -84,66 +88,72 @@ HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* verte
 #endif
 }
 
-/// The flip of run_normal (run_setup.h), in the same steps.
-HWY_INLINE real flip_to_eye(
-    const glm::vec3& eye, const real3& p0, const real3& p1, const real3& p2, const real3& sum)
+/// As Interpolated<glm::vec3> (run_setup.h), a triangle a lane.
+struct LaneNormals {
+    real3 at0, to1, to2;
+};
+
+/// Of the triangles number first to first + kLanes - 1, in the steps of run_normal (run_setup.h).
+template <bool kWhole>
+HWY_INLINE LaneNormals lane_normals(
+    const ShadeArrays& arrays, const SampleCorners& corners, int first)
 {
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<float, decltype(d)> f;
-    using V = hn::Vec<decltype(d)>;
-    alignas(64) float in[12][kLanes], flip[kLanes];
-    const auto keep = [&](int row, const real3& v) {
-        store(v.x, in[row]);
-        store(v.y, in[row + 1]);
-        store(v.z, in[row + 2]);
+    const auto fetch = [&](int corner) {
+        return fetch_vectors<kWhole>(arrays.normal, corners.vertex[corner] + first);
     };
-    keep(0, p0);
-    keep(3, p1);
-    keep(6, p2);
-    keep(9, sum);
-    for (int lane = 0; lane < kLanes; lane += int(hn::Lanes(d))) {
-        const auto at = [&](int row) { return hn::PromoteTo(d, hn::Load(f, in[row] + lane)); };
-        const V p[3] = {at(0), at(1), at(2)};
-        const V a[3] = {hn::Sub(at(3), p[0]), hn::Sub(at(4), p[1]), hn::Sub(at(5), p[2])};
-        const V b[3] = {hn::Sub(at(6), p[0]), hn::Sub(at(7), p[1]), hn::Sub(at(8), p[2])};
-        const V n[3] = {hn::Sub(hn::Mul(a[1], b[2]), hn::Mul(b[1], a[2])),
-            hn::Sub(hn::Mul(a[2], b[0]), hn::Mul(b[2], a[0])),
-            hn::Sub(hn::Mul(a[0], b[1]), hn::Mul(b[0], a[1]))};
-        const auto with_n = [&](V x, V y, V z) {
-            return hn::Add(hn::Add(hn::Mul(n[0], x), hn::Mul(n[1], y)), hn::Mul(n[2], z));
-        };
-        const auto from_eye = [&](int axis) {
-            return hn::Sub(p[axis], hn::Set(d, double(eye[axis])));
-        };
-        const V n_p0 = with_n(from_eye(0), from_eye(1), from_eye(2));
-        const V along = with_n(at(9), at(10), at(11));
-        const V one = hn::Set(d, 1.0);
-        const V side = hn::IfThenElse(hn::Gt(n_p0, hn::Zero(d)), hn::Neg(one), one);
-        const V sign = hn::IfThenElse(hn::Lt(hn::Mul(along, side), hn::Zero(d)), hn::Neg(one), one);
-        hn::Store(hn::DemoteTo(f, sign), f, flip + lane);
-    }
-    return load(flip);
+    const real3 n0 = fetch(0), n1 = fetch(1), n2 = fetch(2);
+    const real3 to_eye(load(corners.to_eye[0] + first), load(corners.to_eye[1] + first),
+        load(corners.to_eye[2] + first));
+    const real flip = mix(real(1.0f), real(-1.0f), dot((n0 + n1) + n2, to_eye) < real(0.0f));
+    return {n0 * flip, (n1 - n0) * flip, (n2 - n0) * flip};
 }
 
-/// Of the samples [first, first + kLanes) of the block, into the surface.
-template <bool kWhole>
-HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
-    const SampleCorners& corners, int first, BlockSurface& surface)
+/// At the samples [first, first + kLanes) of the block, into the surface.
+HWY_INLINE void store_normals(const LaneNormals& normals, const HitTile& hits, std::size_t block,
+    int first, BlockSurface& surface)
 {
-    const auto fetch = [&](const glm::vec3* from, int corner) {
-        return fetch_vectors<kWhole>(from, corners.vertex[corner] + first);
-    };
-    const real3 n0 = fetch(arrays.normal, 0), n1 = fetch(arrays.normal, 1),
-                n2 = fetch(arrays.normal, 2);
-    const real flip = flip_to_eye(hits.frame.eye, fetch(arrays.position, 0),
-        fetch(arrays.position, 1), fetch(arrays.position, 2), (n0 + n1) + n2);
-    const real3 at0 = n0 * flip, to1 = (n1 - n0) * flip, to2 = (n2 - n0) * flip;
+    const auto& [at0, to1, to2] = normals;
     const std::size_t at = block * kBlockSamples + std::size_t(first);
     const real u = load(hits.u + at), v = load(hits.v + at);
     store(at0.x + (u * to1.x + v * to2.x), surface.normal[0] + first);
     store(at0.y + (u * to1.y + v * to2.y), surface.normal[1] + first);
     store(at0.z + (u * to1.z + v * to2.z), surface.normal[2] + first);
 }
+
+/// Of a block's samples that are reached, each with the corners of its own.
+template <bool kWhole>
+HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
+    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+{
+    for (int first = 0; first < kBlockSamples; first += kLanes)
+        if (lane_bits(reached, first) != 0)
+            store_normals(
+                lane_normals<kWhole>(arrays, corners, first), hits, block, first, surface);
+}
+
+#if HWY_TARGET == HWY_AVX3
+/// The same, of runs that are few enough for RunLanes, each with the corners of its number.
+template <bool kWhole>
+HWY_INLINE void sample_run_normals(const ShadeArrays& arrays, const HitTile& hits,
+    std::span<const HitRun> runs, std::uint64_t reached, const SampleCorners& corners,
+    BlockSurface& surface)
+{
+    static_assert(kMostRunLanes == kLanes);
+    const LaneNormals of_run = lane_normals<kWhole>(arrays, corners, 0);
+    const RunLanes lanes(runs);
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        if (lane_bits(reached, first) == 0) continue;
+        const auto pick = [&](const real3& v) {
+            const auto one = [&](real a) {
+                return real(hn::Vec<RealTag>{lanes.of_samples(first, a.lanes.raw)});
+            };
+            return real3(one(v.x), one(v.y), one(v.z));
+        };
+        store_normals({pick(of_run.at0), pick(of_run.to1), pick(of_run.to2)}, hits, runs[0].block,
+            first, surface);
+    }
+}
+#endif
 
 } // namespace HWY_NAMESPACE
 } // namespace firsthit

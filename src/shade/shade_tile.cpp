@@ -2,6 +2,7 @@
 #include "shade/shade_tile.h"
 
 #include "base/srgb.h"
+#include "hits/known_run.h"
 #include "shade/run_setup.h"
 #include "shade/shade_light.h"
 
@@ -76,9 +77,11 @@ class RunPrefetch {
             hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
         for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
              ++corner_) {
-            const glm::uvec3 corner = arrays_.scene->index[runs_[corner_].item];
+            const HitRun& next = runs_[corner_];
+            const glm::uvec3& corner = arrays_.scene->index[next.item];
+            const bool with_position = arrays_.uv || !next.has_plane();
             for (int k = 0; k < 3; ++k) {
-                hwy::Prefetch(&arrays_.position[corner[k]]);
+                if (with_position) hwy::Prefetch(&arrays_.position[corner[k]]);
                 hwy::Prefetch(&arrays_.normal[corner[k]]);
             }
         }
@@ -93,6 +96,20 @@ class RunPrefetch {
     std::size_t index_ = 0;
     std::size_t corner_ = 0;
 };
+
+/// Writes the normals of a block with many runs. See fetch_vectors about kWhole.
+template <bool kWhole>
+HWY_INLINE void spread_normals(const TileShade& tile, std::span<const HitRun> runs,
+    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+{
+#if HWY_TARGET == HWY_AVX3
+    if (runs.size() <= kMostRunLanes) {
+        sample_run_normals<kWhole>(tile.arrays, tile.hits, runs, reached, corners, surface);
+        return;
+    }
+#endif
+    sample_normals<kWhole>(tile.arrays, tile.hits, runs[0].block, reached, corners, surface);
+}
 
 /// Works out what the block's targets need of its runs' triangles.
 HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
@@ -110,11 +127,19 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         materials.add(material, run.samples);
         const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         const bool seen = planes || (run.samples & reached) != 0;
-        if (one_by_one && seen) corners.set(scene.index[run.item], run.samples);
-        if (!texture && !with_uv && (one_by_one || !seen)) continue;
-
+        if (seen) {
+            HitRun spare;
+            const HitRun& known = known_run(run, tile.world, tile.hits.frame.eye, spare);
+            if (one_by_one)
+                corners.set(scene.index[run.item], known,
+                    runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())
+                                                 : run.samples);
+            else
+                spread_normal(run_normal(arrays, scene.index[run.item], glm::vec3(known.plane)),
+                    run, tile.hits, surface);
+        }
+        if (!texture && !planes) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
-        if (seen && !one_by_one) spread_normal(run_normal(arrays, plane), run, tile.hits, surface);
         if (planes) spread_geometric(geometric_normal(plane), run, surface);
         if (!texture && !with_uv) continue;
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
@@ -122,12 +147,11 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);
         spread_uv(uv, gradients, texture, run, tile.hits, surface);
     }
-    for (int first = 0; one_by_one && first < kBlockSamples; first += kLanes) {
-        if (lane_bits(reached, first) == 0) continue;
+    if (one_by_one) {
         if (corners.has_last)
-            sample_normals<true>(arrays, tile.hits, runs[0].block, corners, first, surface);
+            spread_normals<true>(tile, runs, reached, corners, surface);
         else
-            sample_normals<false>(arrays, tile.hits, runs[0].block, corners, first, surface);
+            spread_normals<false>(tile, runs, reached, corners, surface);
     }
     return materials;
 }

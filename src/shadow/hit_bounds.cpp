@@ -113,10 +113,11 @@ void add_tile(const HitTile& hits, const LightFrame& light, LightBounds& total)
     LaneBounds bounds[kFaces];
     const int blocks_x = hits.size / kBlock;
     for (int block = 0; block < blocks_x * blocks_x; ++block) {
+        if (hits.is_empty(block)) continue;
         const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
         const float* block_t = hits.t + block * kBlockSamples;
         if (!cone) {
-            const HitDepths depths = hit_depths(block_t, kBlockSamples);
+            const HitDepths depths = block_depths(block_t);
             if (depths.hits == 0 || add_hull(light, to, x, y, depths, bounds)) continue;
         }
         for (int first = 0; first < kBlockSamples; first += kLanes) {

@@ -21,22 +21,45 @@ struct HitDepths {
     std::size_t hits;
 };
 
-/// samples  a multiple of 64
-HWY_INLINE HitDepths hit_depths(const float* t, int samples)
-{
-    const RealTag d;
-    const real infinity(std::numeric_limits<float>::infinity());
-    real nearest = infinity, farthest(0.0f);
+/// Of some samples, lane by lane.
+struct LaneDepths {
+    real nearest, farthest;
     std::size_t hits = 0;
-    for (int first = 0; first < samples; first += kLanes) {
-        const real depth = load(t + first);
-        const truth hit = depth < infinity;
-        nearest = min(nearest, depth);
-        farthest = max(farthest, mix(real(0.0f), depth, hit));
-        hits += hn::CountTrue(d, hit.lanes);
+
+    HWY_INLINE LaneDepths() : nearest(std::numeric_limits<float>::infinity()), farthest(0.0f) {}
+
+    /// samples  a multiple of kLanes
+    HWY_INLINE void add(const float* t, int samples)
+    {
+        for (int first = 0; first < samples; first += kLanes) {
+            const real depth = load(t + first);
+            const truth hit = depth < real(std::numeric_limits<float>::infinity());
+            nearest = min(nearest, depth);
+            farthest = max(farthest, mix(real(0.0f), depth, hit));
+            hits += hn::CountTrue(RealTag(), hit.lanes);
+        }
     }
-    return {hn::GetLane(hn::MinOfLanes(d, nearest.lanes)),
-        hn::GetLane(hn::MaxOfLanes(d, farthest.lanes)), hits};
+
+    HWY_INLINE HitDepths over_lanes() const
+    {
+        return {hn::GetLane(hn::MinOfLanes(RealTag(), nearest.lanes)),
+            hn::GetLane(hn::MaxOfLanes(RealTag(), farthest.lanes)), hits};
+    }
+};
+
+HWY_INLINE HitDepths block_depths(const float* t)
+{
+    LaneDepths depths;
+    depths.add(t, kBlockSamples);
+    return depths.over_lanes();
+}
+
+HWY_INLINE HitDepths tile_depths(const HitTile& hits)
+{
+    LaneDepths depths;
+    for (int block = 0; block < int(hits.blocks()); ++block)
+        if (!hits.is_empty(block)) depths.add(hits.t + block * kBlockSamples, kBlockSamples);
+    return depths.over_lanes();
 }
 
 /// The hits of a square of samples lie in the hull of eight points: its four corner rays at its

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/look_up.cpp"
 #include "base/simd.h"
@@ -81,20 +83,36 @@ FIRSTHIT_PURE integer column_offset(integer x)
     return integer(hn::ShiftLeft<4>(hn::ShiftRight<2>(x.lanes))) + (x & integer(3));
 }
 
+/// Points as a map sees them.
+struct MapPoints {
+    real column, row; // texels
+    real depth, epsilon;
+    truth has_ray; // a shadow ray
+};
+
+HWY_INLINE MapPoints map_points(
+    const MapView& map, float x, float y, int first, real t, real steepness)
+{
+    const real3 p = transform_hits(map.to, x, y, first, t);
+    MapPoints points{p.x, p.y, p.z, real(map.bias), abs(p.z) < real(1e30f)};
+    if (!map.parallel) {
+        const real inv_depth = real(1.0f) / p.z;
+        points.column = p.x * inv_depth;
+        points.row = p.y * inv_depth;
+        points.has_ray = points.has_ray & (p.z > real(0.0f));
+    }
+    if (map.bias < 0)
+        points.epsilon =
+            texel_epsilon(map.parallel ? real(1.0f) : p.z, steepness, real(map.reach)) +
+            (p.z * real(kRounding) + real(map.rounding));
+    return points;
+}
+
 /// The share of the texels around the points at depth t that show nothing before them.
 HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real t, real steepness)
 {
-    const real3 p = transform_hits(map.to, x, y, first, t);
-    const real depth = p.z;
-    real column = p.x, row = p.y, epsilon = real(map.bias);
-    if (!map.parallel) {
-        const real inv_depth = real(1.0f) / depth;
-        column = column * inv_depth;
-        row = row * inv_depth;
-    }
-    if (map.bias < 0)
-        epsilon = texel_epsilon(map.parallel ? real(1.0f) : depth, steepness, real(map.reach)) +
-                  (depth * real(kRounding) + real(map.rounding));
+    const MapPoints points = map_points(map, x, y, first, t, steepness);
+    const real column = points.column, row = points.row;
     const float last_column = float(map.width - 1), last_row = float(map.height - 1);
     const int quads_x = quads(map.width);
     const auto start_of = [&](real at_row) {
@@ -102,7 +120,8 @@ HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real 
     };
     const auto lit_at = [&](integer start, real at_column) {
         const integer at = start + column_offset(whole(clamped(at_column, last_column)));
-        return mix(real(1.0f), real(0.0f), is_shadowed(gather(map.depth, at), depth, epsilon));
+        return mix(real(1.0f), real(0.0f),
+            is_shadowed(gather(map.depth, at), points.depth, points.epsilon));
     };
     real lit(0.0f);
     if (map.filter == 1) {
@@ -117,9 +136,7 @@ HWY_INLINE real lit_share(const MapView& map, float x, float y, int first, real 
         }
         lit = lit / real(float(map.filter * map.filter));
     }
-    // Without a shadow ray.
-    const truth near = abs(depth) < real(1e30f);
-    return mix(real(1.0f), lit, map.parallel ? near : near & (depth > real(0.0f)));
+    return mix(real(1.0f), lit, points.has_ray);
 }
 
 /// Calls body(block's x, block's y, first sample of a register in its block, its offset in the
@@ -130,6 +147,7 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
     const real infinity(std::numeric_limits<float>::infinity());
     const int blocks_x = hits.size / kBlock;
     for (int block = 0; block < blocks_x * blocks_x; ++block) {
+        if (hits.is_empty(block)) continue;
         const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
         for (int first = 0; first < kBlockSamples; first += kLanes) {
             const int offset = block * kBlockSamples + first;
@@ -143,6 +161,78 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
 FIRSTHIT_PURE real facing_share(real share, real steepness)
 {
     return mix(real(0.0f), share, steepness > real(0.0f));
+}
+
+/// The points of a block on a map of which one texel is looked at: which, and how near something has to
+/// be there to shadow the point.
+struct BlockTexels {
+    int block = -1;
+    alignas(64) std::int32_t at[kBlockSamples];
+    alignas(64) float limit[kBlockSamples];
+};
+
+/// Finds the texels, and asks for their memory.
+HWY_INLINE void find_texels(
+    const MapView& map, const HitTile& hits, int block, const float* lit, BlockTexels& texels)
+{
+    const int blocks_x = hits.size / kBlock;
+    const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
+    const float last_column = float(map.width - 1), last_row = float(map.height - 1);
+    const int quads_x = quads(map.width);
+    texels.block = block;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const int offset = block * kBlockSamples + first;
+        const MapPoints points =
+            map_points(map, x, y, first, load(hits.t + offset), load(lit + offset));
+        const integer at = row_offset(whole(clamped(floor(points.row), last_row)), quads_x) +
+                           column_offset(whole(clamped(floor(points.column), last_column)));
+        hn::Store(at.lanes, IntegerTag(), texels.at + first);
+        store(mix(real(-std::numeric_limits<float>::infinity()), points.depth - points.epsilon,
+                  points.has_ray),
+            texels.limit + first);
+    }
+    // The corners of each quad of samples: what is between them is mostly in the same lines.
+    for (int quad = 0; quad < kBlockSamples; quad += 16)
+        for (const int corner : {0, 3, 12, 15}) hwy::Prefetch(map.depth + texels.at[quad + corner]);
+}
+
+/// The comparisons of is_shadowed. `lit` holds steepness, and is left with light.
+HWY_INLINE void compare_texels(const MapView& map, const BlockTexels& texels, float* lit)
+{
+    if (texels.block < 0) return;
+    float* block = lit + texels.block * kBlockSamples;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const real steepness = load(block + first);
+        const integer at(hn::Load(IntegerTag(), texels.at + first));
+        const truth dark = gather(map.depth, at) < load(texels.limit + first);
+        store(facing_share(mix(real(1.0f), real(0.0f), dark), steepness), block + first);
+    }
+}
+
+/// Whether the light sees a block's triangles from behind. Then it is left dark.
+HWY_INLINE bool all_turned_away(float* steepness)
+{
+    real steepest = load(steepness);
+    for (int first = kLanes; first < kBlockSamples; first += kLanes)
+        steepest = max(steepest, load(steepness + first));
+    if (any(steepest > real(0.0f))) return false;
+    std::fill_n(steepness, kBlockSamples, 0.0f);
+    return true;
+}
+
+/// look_up_face with one texel a point: while the memory of a block's texels is on its way, those of the
+/// block before are compared.
+void look_up_texels(const MapView& face, const HitTile& hits, float* lit)
+{
+    BlockTexels texels[2];
+    int now = 0;
+    for (int block = 0; block < int(hits.blocks()); ++block) {
+        if (hits.is_empty(block) || all_turned_away(lit + block * kBlockSamples)) continue;
+        find_texels(face, hits, block, lit, texels[now]);
+        now ^= 1;
+        compare_texels(face, texels[now], lit);
+    }
+    compare_texels(face, texels[now ^ 1], lit);
 }
 
 /// All points are on one face. Every register holds its steepness in `lit` and leaves its light
@@ -237,7 +327,7 @@ void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World&
     const HitTile& hits, float* lit)
 {
     const int samples = hits.size * hits.size;
-    const HitDepths depths = hit_depths(hits.t, samples);
+    const HitDepths depths = tile_depths(hits);
     if (depths.hits == 0) return;
     spread_steepness(hits, world, light.frame, lit);
     MapView face[kFaces];
@@ -253,6 +343,8 @@ void look_up_tile(const ShadowMaps& maps, const ShadowLight& light, const World&
         look_up_faces(light.frame, face, hits, lit);
     else if (is_dark(face[only], hits, depths, lit))
         std::fill_n(lit, samples, 0.0f);
+    else if (maps.filter == 1)
+        look_up_texels(face[only], hits, lit);
     else
         look_up_face(face[only], hits, lit);
     if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);

@@ -7,14 +7,13 @@
 #endif
 
 #include "base/simd_real-inl.h"
-#include "hits/hit_tile.h"
+#include "hits/known_run.h"
 #include "shadow/light_frame.h"
 #include "visibility/set_up-inl.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
-#include <limits>
+#include <bit>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -23,12 +22,15 @@ namespace HWY_NAMESPACE {
 /// Runs that are worked out together.
 struct SteepnessBatch {
     static constexpr int kRuns = 64;
-    alignas(64) float corner[9][kRuns];
+    alignas(64) float normal[3][kRuns]; // see HitRun
+    alignas(64) float height[kRuns];
     alignas(64) float steepness[kRuns];
 };
 
 /// Steepness as texel_epsilon (src/glsl/shadow_map.glsl) takes it, below 0 where the light is not on
-/// the side of the plane that the eye is on, in double: tiny triangles have tiny normals.
+/// the side of the plane that the eye is on.
+///
+/// eye  from the light
 HWY_INLINE void find_steepness(
     const LightFrame& light, const glm::dvec3& eye, int count, SteepnessBatch& batch)
 {
@@ -43,33 +45,24 @@ HWY_INLINE void find_steepness(
     };
     const glm::dmat3 rows = glm::transpose(light.axes);
     const Vector3<V> axis_x = set(rows[0]), axis_y = set(rows[1]), axis_z = set(rows[2]);
-    const Vector3<V> eye_at = set(eye), light_at = set(light.origin);
+    const Vector3<V> from_light = set(eye);
+    const double largest = std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
+    // What rounding a normal and a height to float may have made of a light in the plane.
+    const V share = hn::Set(d, 0x1p-24), most = hn::Set(d, 1e30);
+    const V noise = hn::Set(d, light.parallel ? 0x1p-22 : 0x1p-22 * largest);
     for (int i = 0; i < count; i += int(hn::Lanes(d))) {
-        const auto load = [&](int k) { return hn::PromoteTo(d, hn::Load(f, batch.corner[k] + i)); };
-        const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
-            v2{load(6), load(7), load(8)};
-        const Vector3<V> n = cross(sub(v1, v0), sub(v2, v0));
+        const auto load = [&](const float* p) { return hn::PromoteTo(d, hn::Load(f, p + i)); };
+        const Vector3<V> n{load(batch.normal[0]), load(batch.normal[1]), load(batch.normal[2])};
+        const V height = load(batch.height);
         const V across = hn::Add(hn::Abs(dot(n, axis_x)), hn::Abs(dot(n, axis_y)));
         const V along = dot(n, axis_z), size = hn::Add(across, hn::Abs(along));
-        const V to_light = light.parallel ? along : dot(n, sub(v0, light_at));
-        const V to_eye = dot(n, sub(v0, eye_at));
-        const auto seen = hn::Gt(hn::Mul(to_light, to_eye), hn::Zero(d));
-        // A triangle without area gives 0 / 0, which is not seen.
-        const V steepness = hn::Min(hn::Div(size, hn::Abs(to_light)), hn::Set(d, 1e30));
+        // Of the light above the plane; a parallel one shines along its z.
+        const V above = light.parallel ? hn::Neg(along) : hn::Sub(height, dot(n, from_light));
+        const V least = light.parallel ? noise : hn::Add(noise, hn::Mul(share, height));
+        const auto seen = hn::And(hn::Gt(above, least), hn::Gt(height, hn::Zero(d)));
+        const V steepness = hn::Min(hn::Div(size, above), most);
         hn::Store(hn::DemoteTo(f, hn::IfThenElse(seen, steepness, hn::Set(d, -1.0))), f,
             batch.steepness + i);
-    }
-}
-
-/// Asks for the memory of runs that come soon: first their indices, then their corners.
-HWY_INLINE void prefetch_runs(const HitTile& hits, const World& world, std::size_t run)
-{
-    constexpr std::size_t kIndices = 24, kCorners = 12; // runs ahead
-    if (run + kIndices < hits.runs.size())
-        hwy::Prefetch(&world.scene->index[hits.runs[run + kIndices].item]);
-    if (run + kCorners < hits.runs.size()) {
-        const glm::uvec3& corner = world.scene->index[hits.runs[run + kCorners].item];
-        for (int k = 0; k < 3; ++k) hwy::Prefetch(&world.position[corner[k]]);
     }
 }
 
@@ -77,25 +70,25 @@ HWY_INLINE void prefetch_runs(const HitTile& hits, const World& world, std::size
 inline void spread_steepness(
     const HitTile& hits, const World& world, const LightFrame& light, float* steepness)
 {
-    SteepnessBatch batch;
-    const glm::dvec3 eye(hits.frame.eye);
+    SteepnessBatch batch = {};
+    const glm::dvec3 eye = glm::dvec3(hits.frame.eye) - light.origin;
     for (std::size_t start = 0; start < hits.runs.size(); start += SteepnessBatch::kRuns) {
         const auto runs = hits.runs.subspan(
             start, std::min<std::size_t>(SteepnessBatch::kRuns, hits.runs.size() - start));
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            prefetch_runs(hits, world, start + i);
-            const glm::uvec3& corner = world.scene->index[runs[i].item];
-            for (int k = 0; k < 3; ++k) {
-                const glm::vec3& p = world.position[corner[k]];
-                batch.corner[3 * k][i] = p.x;
-                batch.corner[3 * k + 1][i] = p.y;
-                batch.corner[3 * k + 2][i] = p.z;
-            }
+            HitRun spare;
+            const HitRun& run = known_run(runs[i], world, hits.frame.eye, spare);
+            for (int axis = 0; axis < 3; ++axis) batch.normal[axis][i] = run.plane[axis];
+            batch.height[i] = run.plane.w;
         }
         find_steepness(light, eye, int(runs.size()), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            const real value(batch.steepness[i]);
             float* block = steepness + std::size_t(runs[i].block) * kBlockSamples;
+            if ((runs[i].samples & (runs[i].samples - 1)) == 0) {
+                block[std::countr_zero(runs[i].samples)] = batch.steepness[i];
+                continue;
+            }
+            const real value(batch.steepness[i]);
             for (int first = 0; first < kBlockSamples; first += kLanes) {
                 const std::uint64_t bits = lane_bits(runs[i].samples, first);
                 // Wide registers are few: to write them all is faster than to guess which.

@@ -42,5 +42,26 @@ TEST(CopyRows, OfEveryWidthAndPlaceAreThoseOfThePlainLoop)
     });
 }
 
+TEST(CopyRows, FillWithOneColourWhatThePlainLoopFills)
+{
+    constexpr int kFilmWidth = 61, kFilmHeight = 30;
+    const glm::vec3 color(0.25f, 0.5f, 2.0f);
+    for_instruction_sets([&] {
+        for (const bool stream : {false, true})
+            for (int width = 1; width <= 40; ++width) {
+                const PixelRect rect{width % 20, 3, width, 20};
+                std::vector<float> film(3 * kFilmWidth * kFilmHeight + 16, -1.0f);
+                std::vector<float> plain = film;
+                fill_rows(rect, kFilmWidth, color, film.data() + width % 16, stream);
+                for (int y = 0; y < rect.height; ++y)
+                    for (int k = 0; k < 3 * width; ++k)
+                        plain[std::size_t(
+                            width % 16 + k + 3 * ((rect.film_y + y) * kFilmWidth + rect.film_x))] =
+                            color[k % 3];
+                ASSERT_EQ(film, plain) << stream << " " << width;
+            }
+    });
+}
+
 } // namespace
 } // namespace firsthit

@@ -3,6 +3,8 @@
 
 #include "film/film_size.h"
 
+#include <firsthit/render.h>
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -46,6 +48,33 @@ TEST(FilmPlanes, LightGoesToThePixelsOfTheTileThatHaveAnItem)
                 EXPECT_EQ(film[Aov::lit].value[std::size_t(y * 14 + x) * kLights + light], expected)
                     << x << " " << y << " " << light;
             }
+}
+
+TEST(FilmPlanes, ColourIsTheSameWhetherOrNotThereAreOtherPlanes)
+{
+    // Other planes need hits of blocks and tiles without an item as well.
+    const Scene scene = load_scene("builtin:torus");
+    World world;
+    pose(scene, 0, world);
+    ASSERT_FALSE(world.lights.empty());
+    View view{.camera = framing_camera(world), .width = 203, .height = 150, .region = {}};
+    for (const Shadows shadows : {Shadows::none, Shadows::map, Shadows::exact}) {
+        Settings settings;
+        settings.shadows = shadows;
+        settings.tile_size = 16;
+        Renderer renderer(1);
+        Film film, with_planes;
+        // What is covered moves: memory still holds what was there in the frame before.
+        for (const double step : {0.0, 0.2, -0.3}) {
+            view.camera = framing_camera(world);
+            view.camera.direction.x += step;
+            settings.aovs = {};
+            renderer.render(world, view, settings, film);
+            settings.aovs = {Aov::depth, Aov::item, Aov::lit, Aov::normal};
+            Renderer(1).render(world, view, settings, with_planes);
+            EXPECT_EQ(film.color.value, with_planes.color.value) << int(shadows) << " " << step;
+        }
+    }
 }
 
 } // namespace

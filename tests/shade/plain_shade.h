@@ -4,6 +4,7 @@
 #include "base/srgb.h"
 #include "exact/shadow_ray.h"
 #include "hits/hit_position.h"
+#include "hits/known_run.h"
 #include "hits/spot_cone.h"
 #include "shade/phong_exponent.h"
 #include "shade/run_setup.h"
@@ -53,7 +54,8 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
     const Scene& scene = *world.scene;
     const ShadeArrays arrays = shade_arrays(world);
     const RunPlane run_plane = firsthit::run_plane(arrays, run.item, hits.frame);
-    const Interpolated<glm::vec3> run_normals = run_normal(arrays, run_plane);
+    const Interpolated<glm::vec3> run_normals = run_normal(
+        arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.frame.eye).plane));
     const Interpolated<glm::vec2> run_uvs = run_uv(arrays, run_plane.corner);
     const Material& material = scene.materials[scene.parts[scene.owner[run.item]].material];
     const std::size_t at = std::size_t(run.block) * kBlockSamples + std::size_t(sample);

@@ -315,5 +315,29 @@ TEST(LookUp, IsDarkWhereTheLightIsBehindThePlane)
     EXPECT_GT(hits, 1000);
 }
 
+TEST(LookUp, IsDarkWhereTheLightLiesInThePlane)
+{
+    // But for rounding, which must not make the whole plane lit.
+    TestWorld world;
+    const glm::vec3 corner(-4, 1.5f, 2), along(8, 0.7f, 0.1f), across(0.3f, 0.4f, 8);
+    add_quad(world, corner, along, across);
+    world.finish();
+    for (const float share : {0.1f, 0.3f, 0.77f}) {
+        world.world.lights = {point_light(glm::dvec3(corner) + double(share) * glm::dvec3(along) +
+                                          (1.0 - double(share)) * glm::dvec3(across))};
+        Tasks tasks(1);
+        const HitPicture picture(world.world, small_view(), tasks);
+        ShadowMaps maps;
+        make_maps(world.world, picture, {}, tasks, maps);
+        const std::vector<Lit> lit = look_up_all(maps, world.world, picture);
+        int hits = 0;
+        picture.for_hits([&](std::size_t tile, const HitTile&, int, int, int offset) {
+            EXPECT_EQ(lit[tile].value[offset], 0);
+            ++hits;
+        });
+        EXPECT_GT(hits, 1000);
+    }
+}
+
 } // namespace
 } // namespace firsthit::test

@@ -1,0 +1,43 @@
+// known_run.h - the planes of runs that do not know theirs.
+#pragma once
+
+#include "base/pure.h"
+#include "hits/hit_tile.h"
+
+#include <firsthit/scene.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace firsthit {
+
+/// The run with its plane, from the triangle's corners, in double: neither tiny nor huge
+/// triangles lose their normal to float's range. It is 0 where the triangle has no area
+/// or the eye is in its plane.
+inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
+{
+    const glm::uvec3& corner = world.scene->index[run.item];
+    const glm::dvec3 p0(world.position[corner.x]);
+    const glm::dvec3 n = glm::cross(
+        glm::dvec3(world.position[corner.y]) - p0, glm::dvec3(world.position[corner.z]) - p0);
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    const double height = glm::dot(n, glm::dvec3(eye) - p0) / largest;
+    run.plane = glm::vec4(0);
+    if (std::abs(height) > 1e-30 && std::abs(height) < 1e30)
+        run.plane = glm::vec4(n / (height > 0 ? largest : -largest), std::abs(height));
+    return run;
+}
+
+/// The run, or where it does not know its plane `spare`, made to be it with its plane.
+FIRSTHIT_PURE const HitRun& known_run(
+    const HitRun& run, const World& world, const glm::vec3& eye, HitRun& spare)
+{
+    if (run.has_plane()) [[likely]]
+        return run;
+    spare = with_plane(run, world, eye);
+    return spare;
+}
+
+} // namespace firsthit

@@ -1,0 +1,103 @@
+// resolve_runs-inl.h - hits of a block that sees some triangles, neither few nor nearly as many as samples.
+//
+// The block's triangles are set up side by side, and each sample picks its own: every register of
+// samples is met once, however its runs lie.
+#if defined(FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_
+#undef FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_
+#else
+#define FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_
+#endif
+
+#include "hits/lane_hits-inl.h"
+#include "hits/resolve_samples-inl.h"
+#include "hits/run_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX3
+/// The planes of a block's triangles, a column for each.
+struct RunPlanes {
+    static constexpr std::size_t kRuns = kMostRunLanes;
+    alignas(64) double n[3][kRuns], edge1[3][kRuns], edge2[3][kRuns]; // see LanePlanes
+    alignas(64) double volume[kRuns], volume_size[kRuns];
+    alignas(64) float nearest[kRuns], farthest[kRuns];
+    alignas(64) glm::vec4 plane[kRuns]; // see HitRun
+};
+
+HWY_INLINE void set_up_planes(
+    const ViewMemory& view, const WorldPlanes& world, std::span<const HitRun> runs, RunPlanes& out)
+{
+    const Doubles d;
+    const Floats f;
+    for (std::size_t i = 0; i < runs.size(); i += kHitLanes) {
+        glm::uvec3 index[kHitLanes];
+        for (std::size_t lane = 0; lane < kHitLanes; ++lane)
+            index[lane] = view.index[runs[i + lane < runs.size() ? i + lane : 0].item];
+        const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
+                   c2 = fetch_corner(view, index, 2);
+        const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
+        const LanePlanes planes =
+            lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
+        const auto keep = [&](const Vector3<DoubleLanes>& v, double(&to)[3][RunPlanes::kRuns]) {
+            hn::Store(v.x, d, to[0] + i);
+            hn::Store(v.y, d, to[1] + i);
+            hn::Store(v.z, d, to[2] + i);
+        };
+        keep(planes.n, out.n);
+        keep(planes.edge1, out.edge1);
+        keep(planes.edge2, out.edge2);
+        hn::Store(planes.volume, d, out.volume + i);
+        hn::Store(p.volume_size, d, out.volume_size + i);
+        hn::Store(planes.nearest, f, out.nearest + i);
+        hn::Store(planes.farthest, f, out.farthest + i);
+        world.store(p.n, p.volume, out.plane, int(i));
+    }
+}
+
+/// Hits of a block with at most kMostRunLanes runs, and the sides and planes of these.
+HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
+    const WorldPlanes& world, std::span<HitRun> runs, const HitPlaces& places)
+{
+    const BlockOfRays rays(items, runs[0].block);
+    const std::uint32_t* item = items.item.data() + rays.offset;
+    RunPlanes table;
+    set_up_planes(view, world, runs, table);
+    std::uint64_t covered = 0, suspect = 0;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        HitRun& run = runs[k];
+        covered |= run.samples;
+        run.eye_side = side_of(
+            table.volume[k], table.volume_size[k], [&] { return corners_of(view, run.item); });
+        run.plane = table.plane[k];
+    }
+    const RunLanes lanes(runs);
+    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
+    for (int first = 0; first < kBlockSamples; first += kHitLanes) {
+        const std::uint64_t samples = covered >> first & kAll;
+        if (samples == 0) continue;
+        const auto pick = [&](const double(&from)[RunPlanes::kRuns]) {
+            return DoubleLanes{lanes.of_samples(first, from)};
+        };
+        const auto pick3 = [&](const double(&from)[3][RunPlanes::kRuns]) {
+            return Vector3<DoubleLanes>{pick(from[0]), pick(from[1]), pick(from[2])};
+        };
+        const LanePlanes planes{pick3(table.n), pick3(table.edge1), pick3(table.edge2),
+            pick(table.volume), FloatLanes{lanes.of_eight(first, table.nearest)},
+            FloatLanes{lanes.of_eight(first, table.farthest)}};
+        suspect |= meet(planes, rays, first, samples, places) << first;
+    }
+    for (; suspect; suspect &= suspect - 1) { // seldom
+        const int sample = std::countr_zero(suspect);
+        repair_hit(corners_of(view, item[sample]), rays, sample, places);
+    }
+}
+#endif
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target
