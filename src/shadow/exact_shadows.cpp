@@ -182,7 +182,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             find_receivers(memory.mesh, tiles[tile], {words, lit.blocks}, receivers);
             collect_hits(tiles[tile], receivers, space, cone ? &*cone : nullptr,
                 std::uint32_t(tile * samples), words, chunk);
-            see_points(space, chunk, tile * chunk_room(samples), memory.samples.span(),
+            see_points(memory.mesh, chunk, tile * chunk_room(samples), memory.samples.span(),
                 memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
