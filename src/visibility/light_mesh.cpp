@@ -81,13 +81,8 @@ void see_from_light(const LightSpace& space, std::span<const glm::vec3> position
     mesh.range_count.resize((index.size() + kLightRange - 1) / kLightRange);
     mesh.range_box.resize((position.size() + kLightRange - 1) / kLightRange);
     tasks.for_ranges(position.size(), kLightRange, [&](std::size_t first, std::size_t last) {
-        VertexBox box;
-        for (std::size_t v = first; v < last; ++v) {
-            const glm::vec3 p = to_light(space, position[v]);
-            mesh.corner[v] = p;
-            box.add({p, p});
-        }
-        mesh.range_box[first / kLightRange] = box;
+        mesh.range_box[first / kLightRange] =
+            move_vertices(space, &position[first], last - first, &mesh.corner[first]);
     });
     VertexBox all;
     for (const VertexBox& box : mesh.range_box.span()) all.add(box);
@@ -102,11 +97,12 @@ void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks)
     });
 }
 
-void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks)
+void place_all_vertices(const LightFace& face, const GridAxes& axes, LightMesh& mesh, Tasks& tasks)
 {
-    mesh.place.resize(mesh.seen.size());
-    tasks.for_ranges(mesh.seen.size(), kLightRange, [&](std::size_t first, std::size_t last) {
-        place_vertices(axes, &mesh.seen[first], last - first, &mesh.place[first]);
+    mesh.face = face;
+    mesh.place.resize(mesh.corner.size());
+    tasks.for_ranges(mesh.corner.size(), kLightRange, [&](std::size_t first, std::size_t last) {
+        place_vertices(axes, face, &mesh.corner[first], last - first, &mesh.place[first]);
     });
 }
 

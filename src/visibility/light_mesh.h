@@ -74,6 +74,11 @@ inline constexpr std::size_t kLightRange = 8192;
 void see_vertices(
     const LightFace& face, const glm::vec3* corner, std::size_t count, SeenPoint* seen);
 
+/// Moves some vertices into the light's space, as to_light, and says where they lie there; parallel
+/// light is not told that.
+VertexBox move_vertices(
+    const LightSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner);
+
 /// Moves all vertices into the light's space, and looks for a wide face.
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);
@@ -81,8 +86,8 @@ void see_from_light(const LightSpace& space, std::span<const glm::vec3> position
 /// All vertices of the mesh as the face sees them.
 void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks);
 
-/// And their places on a grid.
-void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks);
+/// Only their places on a grid of the face's samples.
+void place_all_vertices(const LightFace& face, const GridAxes& axes, LightMesh& mesh, Tasks& tasks);
 
 /// The box of a triangle with a corner behind the face, or with one that makes it invisible: then
 /// false.
