@@ -113,16 +113,17 @@ std::optional<std::size_t> test_face_by_grid(const LightFace& face, const Sample
     const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     Stopwatch watch;
-    sort_into_grid(
-        memory.samples.span(), memory.patches.span(), bounds, points, memory.grid, tasks);
+    const bool sorted = sort_into_grid(memory.samples.span(), memory.patches.span(), bounds,
+        {face.directional, goes_along_y(memory.mesh, face, bounds)}, points, memory.grid, tasks);
     memory.effort.sort_ms += watch.lap_ms();
-    if (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded) return {};
-    see_all_vertices(face, memory.mesh, tasks);
-    place_all_vertices(memory.grid.axes, memory.mesh, tasks);
+    if (!sorted || (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded)) return {};
+    place_all_vertices(face, memory.grid.axes, memory.mesh, tasks);
     memory.effort.see_ms += watch.lap_ms();
     const std::size_t left =
         test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
     memory.effort.test_ms += watch.lap_ms();
+    if (left > 0) see_all_vertices(face, memory.mesh, tasks); // for those
+    memory.effort.see_ms += watch.lap_ms();
     return left;
 }
 
@@ -182,7 +183,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             find_receivers(memory.mesh, tiles[tile], {words, lit.blocks}, receivers);
             collect_hits(tiles[tile], receivers, space, cone ? &*cone : nullptr,
                 std::uint32_t(tile * samples), words, chunk);
-            see_points(space, chunk, tile * chunk_room(samples), memory.samples.span(),
+            see_points(memory.mesh, chunk, tile * chunk_room(samples), memory.samples.span(),
                 memory.parts[tile]);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });

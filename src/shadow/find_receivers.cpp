@@ -8,10 +8,11 @@
 
 #include "base/simd_real-inl.h"
 #include "shadow/find_receivers.h"
-#include "visibility/gather_corners.h"
 #include "visibility/set_up-inl.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -25,11 +26,10 @@ constexpr std::size_t kRuns = 64; // together
 
 /// Runs' items in the light's space.
 struct RunBatch {
-    alignas(64) std::uint32_t item[kRuns];
     alignas(64) float eye_side[kRuns];
-    alignas(64) float corner[9][kRuns];
-    alignas(64) double volume[kRuns]; // 0 where its sign is not certain
-    alignas(64) float away[3][kRuns]; // of the receiver, if the light is on the eye's side
+    alignas(64) float corner[3][kRuns][4]; // the fourth is nothing
+    alignas(64) double volume[kRuns];      // 0 where its sign is not certain
+    alignas(64) float away[3][kRuns];      // of the receiver, if the light is on the eye's side
     alignas(64) float margin[kRuns];
 };
 
@@ -50,8 +50,10 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
         Vector3<F> narrow[3];
         Vector3<V> v[3], pencil[3];
         for (int k = 0; k < 3; ++k) {
-            const auto load = [&](int axis) { return hn::Load(f, batch.corner[3 * k + axis] + i); };
-            narrow[k] = {load(0), load(1), load(2)};
+            F nothing = hn::Zero(f);
+            narrow[k] = {nothing, nothing, nothing};
+            hn::LoadInterleaved4(
+                f, batch.corner[k][i], narrow[k].x, narrow[k].y, narrow[k].z, nothing);
             v[k] = {hn::PromoteTo(d, narrow[k].x), hn::PromoteTo(d, narrow[k].y),
                 hn::PromoteTo(d, narrow[k].z)};
             pencil[k] = v[k];
@@ -86,11 +88,44 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
     }
 }
 
+/// Asks for the memory of what later batches read.
+HWY_INLINE void ask_ahead(const LightMesh& mesh, std::span<const HitRun> runs, std::size_t run)
+{
+    constexpr std::size_t kCorners = 24, kIndex = 64; // runs ahead
+    if (run + kIndex < runs.size()) __builtin_prefetch(&mesh.index[runs[run + kIndex].item]);
+    if (run + kCorners >= runs.size()) return;
+    const glm::uvec3& index = mesh.index[runs[run + kCorners].item];
+    for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.corner[index[k]]);
+}
+
+/// Run number i of the batch: its item, and corners by sixteen bytes at a time, which a buffer has
+/// room for at its end.
+HWY_INLINE void copy_run(const LightMesh& mesh, const HitRun& run, std::size_t i, RunBatch& batch)
+{
+    const glm::uvec3& index = mesh.index[run.item];
+    batch.eye_side[i] = run.eye_side;
+    for (int k = 0; k < 3; ++k)
+        std::memcpy(batch.corner[k][i], static_cast<const void*>(&mesh.corner[index[k]]), 16);
+}
+
 /// Writes a run's receiver to its samples.
 HWY_INLINE void spread(
     const HitRun& run, const RunBatch& batch, std::size_t i, TileReceivers& receivers)
 {
+    constexpr int kShort = 6; // samples: one at a time takes less
     const std::size_t block = std::size_t(run.block) * kBlockSamples;
+    if (std::popcount(run.samples) <= kShort) {
+        const float x = batch.away[0][i], y = batch.away[1][i], z = batch.away[2][i],
+                    margin = batch.margin[i];
+        for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
+            const std::size_t at = block + std::size_t(std::countr_zero(rest));
+            receivers.x[at] = x;
+            receivers.y[at] = y;
+            receivers.z[at] = z;
+            receivers.margin[at] = margin;
+        }
+        return;
+    }
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         const std::uint64_t lanes = lane_bits(run.samples, first);
         if (lanes == 0) continue;
@@ -112,10 +147,9 @@ void find(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> f
     for (std::size_t first = 0; first < hits.runs.size(); first += kRuns) {
         const auto runs = hits.runs.subspan(first, std::min(kRuns, hits.runs.size() - first));
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            batch.item[i] = runs[i].item;
-            batch.eye_side[i] = runs[i].eye_side;
+            ask_ahead(mesh, hits.runs, first + i);
+            copy_run(mesh, runs[i], i, batch);
         }
-        gather_corners(mesh, LightFace{}, int(runs.size()), batch.item, batch.corner);
         set_up(mesh.space.directional, runs.size(), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const HitRun& run = runs[i];

@@ -47,8 +47,8 @@ void test_points(const World& world, const LightSpace& space, const PointSet& po
         std::fill_n(shadowed.data() + first, chunk.count, std::uint8_t(0));
         move_points(points, space, first, chunk);
         if (!points.receivers.empty()) lift_points(memory.mesh, points.receivers.data(), 0, chunk);
-        see_points(
-            space, chunk, number * chunk_room(kChunk), memory.samples.span(), memory.parts[number]);
+        see_points(memory.mesh, chunk, number * chunk_room(kChunk), memory.samples.span(),
+            memory.parts[number]);
     });
     memory.effort.collect_ms += watch.lap_ms();
     test_chunks(GivenPoints(points, memory.mesh), memory, tasks, shadowed);

@@ -1,5 +1,5 @@
-// grid_boxes-inl.h - triangles onto a grid of samples, several at a time: boxes of places, and for
-// those that lie in one cell, as most small ones do, where that is and which of its parts they meet.
+// grid_boxes-inl.h - triangles onto a grid of samples, several at a time: their boxes and edges in
+// places.
 #if defined(FIRSTHIT_VISIBILITY_GRID_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_VISIBILITY_GRID_BOXES_INL_H_
 #undef FIRSTHIT_VISIBILITY_GRID_BOXES_INL_H_
@@ -9,8 +9,9 @@
 
 #include <hwy/highway.h>
 
+#include "visibility/light_mesh.h"
+#include "visibility/place_words-inl.h"
 #include "visibility/sample_grid.h"
-#include "visibility/sample_registers-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -23,100 +24,48 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The places of a box, ends included.
-struct alignas(8) GridRect {
-    std::uint16_t x0, y0, x1, y1;
+/// The strips of a box, ends included.
+struct StripRange {
+    std::uint16_t first, last;
 };
 
-/// Some triangles, and what is known of them.
+inline constexpr std::uint64_t kUpperHalf = 0xFFFFFFFF00000000;
+
+/// Some triangles, and what is known of them. Words are as GridPlace.
 struct GridBoxes {
     static constexpr std::size_t kTriangles = 256;
     static constexpr std::size_t kRoom = kTriangles + 16;
 
     std::size_t first = 0; // number of the first one
-    alignas(64) GridPlace corner[3][kRoom];
-    alignas(64) GridRect rect[kRoom];
-    alignas(64) std::uint64_t nearest_w[kRoom]; // place
-    alignas(64) std::uint64_t cell[kRoom];      // of those in one cell
-    alignas(64) std::uint64_t parts[kRoom];     // and of that cell
+    alignas(64) std::uint64_t corner[3][kRoom];
+    alignas(64) std::uint64_t low[kRoom]; // the box; the lowest w is 0
+    alignas(64) std::uint64_t high[kRoom];
+
+    /// Edge e of a sample: the sum of x and y of (sample - corner 0) times these, and `beyond`; not
+    /// below 0 where the sample may be inside. Upper halves, lower ones are 0.
+    alignas(64) std::uint64_t normal[3][kRoom];
+    alignas(64) std::uint64_t beyond[kRoom];          // of the edges at corner 0
+    alignas(64) std::uint64_t beyond_opposite[kRoom]; // of the one opposite
+
+    // Batches that are not asked for what is behind all samples: twice as many each time that few are.
+    std::uint32_t pause = 0, next_pause = 0;
 
     // Which of them
-    std::size_t single_count = 0, other_count = 0, unseen_count = 0;
-    std::uint32_t single[kRoom]; // lie in one cell
-    std::uint32_t other[kRoom];  // do not
+    std::size_t inside_count = 0, unseen_count = 0;
+    std::uint32_t inside[kRoom]; // may shadow samples: first all that reach into the samples' box
+    StripRange strips[kRoom];    // of those in `inside`
     std::uint32_t unseen[kRoom]; // have a corner that is not seen
 };
-
-using Words = hn::CappedTag<std::uint64_t, 8>;
-using Word = hn::Vec<Words>;
-
-/// The least of each 16 bits.
-HWY_INLINE Word least16(Word a, Word b)
-{
-#if HWY_TARGET == HWY_SCALAR
-    std::uint64_t least = 0;
-    for (int k = 0; k < 64; k += 16)
-        least |= std::min(a.raw >> k & 0xFFFF, b.raw >> k & 0xFFFF) << k;
-    return hn::Set(Words(), least);
-#else
-    const hn::Repartition<std::uint16_t, Words> d;
-    return hn::BitCast(Words(), hn::Min(hn::BitCast(d, a), hn::BitCast(d, b)));
-#endif
-}
-
-/// The greatest of each 16 bits.
-HWY_INLINE Word greatest16(Word a, Word b)
-{
-    const Word all = hn::Set(Words(), ~std::uint64_t(0));
-    return hn::Xor(least16(hn::Xor(a, all), hn::Xor(b, all)), all);
-}
-
-/// The words some of whose 16 bits are those of `what`, where `where` has bits.
-HWY_INLINE hn::Mask<Words> any16(Word v, std::uint16_t what, std::uint64_t where)
-{
-    const Words d;
-#if HWY_TARGET == HWY_SCALAR
-    bool any = false;
-    for (int k = 0; k < 64; k += 16)
-        any = any || ((where >> k & 1) && (v.raw >> k & 0xFFFF) == what);
-    return hn::Eq(hn::Set(d, std::uint64_t(any)), hn::Set(d, 1));
-#else
-    const hn::Repartition<std::uint16_t, Words> n;
-    const auto equal =
-        hn::BitCast(d, hn::VecFromMask(n, hn::Eq(hn::BitCast(n, v), hn::Set(n, what))));
-    return hn::Ne(hn::And(equal, hn::Set(d, where)), hn::Zero(d));
-#endif
-}
-
-/// The lowest byte in all eight.
-HWY_INLINE Word in_all_bytes(Word v)
-{
-    const Words d;
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(d, v.raw * 0x0101010101010101u);
-#else
-    const hn::Repartition<std::uint8_t, Words> n;
-    alignas(64) static constexpr std::uint8_t kFirst[64] = {0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8, 8, 8,
-        8, 8, 8, 0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8, 8, 8, 8, 8, 8, 0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8, 8,
-        8, 8, 8, 8, 0, 0, 0, 0, 0, 0, 0, 0, 8, 8, 8, 8, 8, 8, 8, 8};
-    return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(n, v), hn::Load(n, kFirst)));
-#endif
-}
 
 /// Appends the numbers from `first` on of the chosen lanes. What is written after them is nothing.
 HWY_INLINE void append(
     std::size_t first, hn::Mask<Words> chosen, std::uint32_t* to, std::size_t& count)
 {
     const hn::Rebind<std::uint32_t, Words> d;
-    const std::uint8_t byte[8] = {std::uint8_t(bits(Words(), chosen))};
+    const std::uint8_t byte[8] = {std::uint8_t(bits_of_words(chosen))};
     const auto lanes = hn::LoadMaskBits(d, byte);
     hn::StoreU(hn::Compress(hn::Iota(d, std::uint32_t(first)), lanes), d, to + count);
     count += hn::CountTrue(Words(), chosen);
-}
-
-HWY_INLINE void store_words(Word v, void* to)
-{
-    hn::Store(v, Words(), static_cast<std::uint64_t*>(to));
 }
 
 /// The corners of triangles [first, last), in turn.
@@ -130,66 +79,151 @@ HWY_INLINE void gather_places(
             std::memcpy(&boxes.corner[k][i], &place[index[i][k]], sizeof(GridPlace));
 }
 
-/// Sorts triangles [first, last): what reaches no sample is left out.
-HWY_NOINLINE void sort_boxes(const LightMesh& mesh, const SampleGrid& grid, std::size_t first,
-    std::size_t last, GridBoxes& boxes)
+/// The edges of triangles from number i on, whose boxes are at most `most` wide and high: products
+/// stay within 32 bits. Others', and those whose corners lie beyond the grid or whose sides
+/// roundings might have changed, are 0: every sample may be inside.
+HWY_INLINE void find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high,
+    std::size_t i, GridBoxes& boxes)
 {
     const Words d;
+    constexpr std::uint64_t kLarge = 0xC000C00000000000; // in x or y: 2^14 and more
     const auto set = [&](std::uint64_t v) { return hn::Set(d, v); };
+    const Word zero = hn::Zero(d), upper = set(kUpperHalf);
+    const Word size = difference16(high, low);
+    const auto beyond_grid = hn::Or(any16(low, 0, kUpperHalf), any16(high, kLastPlace, kUpperHalf));
+    const auto unfit = hn::Or(hn::Ne(hn::And(size, set(kLarge)), zero), beyond_grid);
+
+    // The edge from p to q: (-dy, dx).
+    const auto normal = [&](Word p, Word q) {
+        const Word along = difference16(q, p), dx = hn::ShiftLeft<16>(along),
+                   dy = hn::ShiftLeft<32>(hn::ShiftRight<48>(difference16(p, q)));
+        return hn::Or(dy, hn::And(dx, set(0xFFFF000000000000)));
+    };
+    const Word n0 = normal(a, b), n1 = normal(b, c), n2 = normal(c, a);
+    const Word area = products16(difference16(c, a), n0);
+    // The error (sample_grid.h), in the upper half.
+    const Word extent =
+        hn::Add(hn::And(hn::ShiftRight<32>(size), set(0xFFFF)), hn::ShiftRight<48>(size));
+    const Word twice_and_half =
+        hn::Add(hn::Add(extent, extent), hn::Add(hn::ShiftRight<1>(extent), set(1)));
+    const Word error = hn::ShiftLeft<32>(
+        hn::Add(hn::ShiftLeftSame(twice_and_half, grid.error_shift), set(grid.error_rest)));
+
+    const auto turned = below_zero(area);
+    const Word turn = hn::IfThenElseZero(turned, upper);
+    const Word side = hn::IfThenElse(turned, hn::Sub(zero, area), area);
+    // |area| > error: no sum here leaves 63 bits.
+    const auto certain = hn::AndNot(unfit, below_zero(hn::Sub(error, side)));
+    const auto store = [&](Word v, std::uint64_t* to) {
+        hn::Store(hn::IfThenElseZero(certain, v), d, to + i);
+    };
+    const auto store_normal = [&](Word n, std::uint64_t* to) {
+        store(difference16(hn::Xor(n, turn), turn), to);
+    };
+    store_normal(n0, boxes.normal[0]);
+    store_normal(n1, boxes.normal[1]);
+    store_normal(n2, boxes.normal[2]);
+    store(error, boxes.beyond);
+    store(hn::Add(error, side), boxes.beyond_opposite);
+}
+
+/// The edges of the eights of triangles whose bits are set.
+HWY_NOINLINE void find_all_edges(const SampleGrid& grid, std::uint32_t groups, GridBoxes& boxes)
+{
+    const Words d;
+    for (; groups; groups &= groups - 1) {
+        const std::size_t first = 8 * std::size_t(std::countr_zero(groups));
+        for (std::size_t i = first; i < first + 8; i += hn::Lanes(d)) {
+            const auto load = [&](const std::uint64_t* from) { return hn::Load(d, from + i); };
+            find_edges(grid, load(boxes.corner[0]), load(boxes.corner[1]), load(boxes.corner[2]),
+                load(boxes.low), load(boxes.high), i, boxes);
+        }
+    }
+}
+
+/// Boxes of triangles [first, last), and which of them reach into that of the samples.
+HWY_NOINLINE void find_boxes(
+    const LightMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
+{
+    const Words d;
     boxes.first = first;
     gather_places(mesh, first, last, boxes);
-    boxes.single_count = boxes.other_count = boxes.unseen_count = 0;
+    boxes.inside_count = boxes.unseen_count = 0;
     for (std::size_t i = 0; i < last - first; i += hn::Lanes(d)) {
-        const auto corner = [&](int k) {
-            return hn::Load(d, reinterpret_cast<const std::uint64_t*>(&boxes.corner[k][i]));
-        };
-        const Word a = corner(0), b = corner(1), c = corner(2);
+        const Word a = hn::Load(d, boxes.corner[0] + i), b = hn::Load(d, boxes.corner[1] + i),
+                   c = hn::Load(d, boxes.corner[2] + i);
         const Word low = least16(least16(a, b), c), high = greatest16(greatest16(a, b), c);
         const auto given = hn::FirstN(d, last - first - i);
-        const auto unseen = hn::And(given, any16(high, kLastPlace, 0xFFFF00000000));
+        const auto unseen = hn::And(given, any16(high, kLastPlace, 0xFFFF));
         if (!hn::AllFalse(d, unseen)) [[unlikely]]
             append(i, unseen, boxes.unseen, boxes.unseen_count);
         // Above or below all samples on an axis, or farther than all.
         const auto beside =
-            hn::Or(any16(high, 0, 0xFFFFFFFFFFFF), any16(low, kLastPlace, 0xFFFFFFFF));
+            hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kLastPlace, kUpperHalf));
         const auto inside = hn::AndNot(hn::Or(beside, unseen), given);
         if (hn::AllFalse(d, inside)) continue;
-
-        const Word low16 = set(0xFFFF);
-        const Word x0 = hn::And(low, low16), y0 = hn::And(hn::ShiftRight<16>(low), low16),
-                   x1 = hn::And(high, low16), y1 = hn::And(hn::ShiftRight<16>(high), low16),
-                   nearest_w = hn::And(hn::ShiftRight<32>(high), low16);
-        const Word coarse =
-            hn::GatherIndex(d, reinterpret_cast<const std::uint64_t*>(grid.coarse.data()),
-                hn::BitCast(hn::RebindToSigned<Words>(),
-                    hn::Or(hn::ShiftLeft<kCoarseBits>(hn::ShiftRight<kFineBits>(y0)),
-                        hn::ShiftRight<kFineBits>(x0))));
-        const Word level = hn::And(hn::ShiftRight<32>(coarse), low16);
-        const Word shift = hn::Sub(set(kFineBits), level);
-        const Word column = hn::Shr(x0, shift), row = hn::Shr(y0, shift);
-        const auto single = hn::And(
-            hn::And(hn::Eq(column, hn::Shr(x1, shift)), hn::Eq(row, hn::Shr(y1, shift))), inside);
-        const hn::RebindToSigned<Words> i64;
-        const auto behind = hn::RebindMask(
-            d, hn::Lt(hn::BitCast(i64, nearest_w), hn::BitCast(i64, hn::ShiftRight<48>(coarse))));
-
-        store_words(nearest_w, &boxes.nearest_w[i]);
-        store_words(hn::Or(hn::And(low, set(0xFFFFFFFF)), hn::ShiftLeft<32>(high)), &boxes.rect[i]);
-        append(i, hn::AndNot(single, inside), boxes.other, boxes.other_count);
-        const Word part = hn::Sub(set(kMostLevels), level), seven = set(7);
-        const auto inner = [&](Word v) { return hn::And(hn::Shr(v, part), seven); };
-        const Word columns =
-            hn::And(hn::Shr(set(0xFF), hn::Sub(seven, inner(x1))), hn::Shl(set(0xFF), inner(x0)));
-        const Word rows =
-            hn::And(hn::Shr(set(~std::uint64_t(0)), hn::ShiftLeft<3>(hn::Sub(seven, inner(y1)))),
-                hn::Shl(set(~std::uint64_t(0)), hn::ShiftLeft<3>(inner(y0))));
-        const Word in_coarse = hn::Sub(hn::Shl(set(1), level), set(1));
-        const Word cell = hn::Add(hn::And(coarse, set(0xFFFFFFFF)),
-            hn::Add(hn::Shl(hn::And(row, in_coarse), level), hn::And(column, in_coarse)));
-        store_words(cell, &boxes.cell[i]);
-        store_words(hn::And(in_all_bytes(columns), rows), &boxes.parts[i]);
-        append(i, hn::AndNot(behind, single), boxes.single, boxes.single_count);
+        hn::Store(hn::And(low, hn::Set(d, kUpperHalf)), d, boxes.low + i);
+        hn::Store(high, d, boxes.high + i);
+        append(i, inside, boxes.inside, boxes.inside_count);
     }
+}
+
+HWY_INLINE StripRange strips_of(const SampleGrid& grid, std::uint64_t low, std::uint64_t high)
+{
+    constexpr int kRow = 48 + kStripShift;
+    return {grid.strip_of[low >> kRow], grid.strip_of[high >> kRow]};
+}
+
+/// Leaves those out that lie behind all samples around them, as the far side of a body does. Returns
+/// a bit for each eight triangles of which some are left.
+HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& boxes)
+{
+    static_assert(GridBoxes::kTriangles == 32 * 8);
+    constexpr int kColumn = 32 + kDepthShift;
+    std::size_t kept = 0;
+    std::uint32_t groups = 0;
+    for (std::size_t k = 0; k < boxes.inside_count; ++k) {
+        const std::uint32_t i = boxes.inside[k];
+        const std::uint64_t low = boxes.low[i], high = boxes.high[i];
+        const StripRange strips = strips_of(grid, low, high);
+        const std::size_t column = low >> kColumn & (kDepthColumns - 1),
+                          last_column = high >> kColumn & (kDepthColumns - 1);
+        const std::uint16_t farthest =
+            std::min(grid.farthest[strips.first * kDepthColumns + column],
+                grid.farthest[strips.last * kDepthColumns + column]);
+        // What else may lie between is not known of larger ones.
+        const bool small = (last_column - column <= 1) & (strips.last - strips.first <= 1);
+        const bool behind = small & (std::uint16_t(high) < farthest);
+        boxes.inside[kept] = i;
+        boxes.strips[kept] = strips;
+        kept += !behind;
+        groups |= std::uint32_t(!behind) << (i / 8);
+    }
+    boxes.inside_count = kept;
+    return groups;
+}
+
+/// Boxes and edges of triangles [first, last) that may shadow samples.
+HWY_INLINE void sort_boxes(const LightMesh& mesh, const SampleGrid& grid, std::size_t first,
+    std::size_t last, GridBoxes& boxes)
+{
+    constexpr std::uint32_t kLongestPause = 15;
+    find_boxes(mesh, first, last, boxes);
+    std::uint32_t groups = ~0u >> (31 - (last - first - 1) / 8);
+    if (boxes.pause > 0) {
+        --boxes.pause;
+        for (std::size_t k = 0; k < boxes.inside_count; ++k)
+            boxes.strips[k] =
+                strips_of(grid, boxes.low[boxes.inside[k]], boxes.high[boxes.inside[k]]);
+    } else {
+        const std::size_t before = boxes.inside_count;
+        groups = leave_out_behind(grid, boxes);
+        // It costs a third of what is done with a triangle that is left.
+        const bool many = 8 * (before - boxes.inside_count) >= before;
+        boxes.next_pause = many ? 0 : std::min(2 * boxes.next_pause + 1, kLongestPause);
+        boxes.pause = boxes.next_pause;
+    }
+    find_all_edges(grid, groups, boxes);
 }
 
 } // namespace HWY_NAMESPACE

@@ -17,11 +17,15 @@ struct alignas(64) GridShadowCounts {
     ShadowCounts counts;
 };
 
+/// Whether triangles with consecutive numbers lie along y more than along x, in shares of the bounds:
+/// then strips along y are read from end to end.
+bool goes_along_y(const LightMesh& mesh, const LightFace& face, const SampleBounds& bounds);
+
 /// Tests the triangles that lie over few cells: shadowed[id] = 1 for the samples that these shadow,
 /// no other is written. Exact, as test_leaf. The others that may shadow a sample are left in
 /// mesh.in_view and mesh.range_count. Returns how many these are.
 ///
-/// mesh     see_vertices has filled in `seen`, for the face whose samples are in the grid
+/// mesh     of the face whose samples are in the grid; place_all_vertices has filled in `place`
 /// counts   (threads)
 std::size_t test_grid(LightMesh& mesh, const SampleGrid& grid, const LightPoints& points,
     std::span<GridShadowCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed);

@@ -94,11 +94,11 @@ bool shadows_box(const LightMesh& mesh, std::uint32_t triangle, const SampleBoun
     const Rounded divisor = directional ? Rounded{n.value.z, n.size.z} : volume;
     if (divisor.sign() == 0) return false;
     const double nearest = bounds.nearest_w;
-    double largest = 1; // of a point's coordinates, over its c for a point light
-    if (directional)
-        largest = std::max({std::abs(double(bounds.x0)), std::abs(double(bounds.x1)),
-            std::abs(double(bounds.y0)), std::abs(double(bounds.y1)), std::abs(nearest),
-            std::abs(double(bounds.farthest_w))});
+    // Of a point's coordinates, over its c for a point light.
+    const double largest = std::max(
+        {std::abs(double(bounds.x0)), std::abs(double(bounds.x1)), std::abs(double(bounds.y0)),
+            std::abs(double(bounds.y1)), directional ? std::abs(nearest) : 1.0,
+            directional ? std::abs(double(bounds.farthest_w)) : 1.0});
     const double per_margin = directional ? 1 : nearest;
     const double margin = double(kShadowMargin) * 2 * largest +
                           (double(kShadowMargin) * double(mesh.space.reach) +

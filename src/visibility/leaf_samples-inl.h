@@ -45,14 +45,15 @@ inline void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMe
     // The margin, over a point's c (see shadow_margin, and irregular_set_up-inl.h).
     const double reach = mesh.space.reach;
     double least = 0, most = 0; // of the largest coordinate, times two, plus reach
+    const auto away = [](double low, double high) { return std::max({low, -high, 0.0}); };
+    const double away_xy = std::max(away(b.x0, b.x1), away(b.y0, b.y1));
     if (directional) {
-        const auto away = [](double low, double high) { return std::max({low, -high, 0.0}); };
         const double farthest = b.farthest_w, near = b.nearest_w;
-        least = 2 * std::max({away(b.x0, b.x1), away(b.y0, b.y1), away(farthest, near)}) + reach;
+        least = 2 * std::max(away_xy, away(farthest, near)) + reach;
         most = 2 * std::max({most_x, most_y, double(leaf.largest_w)}) + reach;
     } else {
-        least = 2 + reach * std::max(0.0, double(b.farthest_w));
-        most = 2 + reach * double(leaf.largest_w);
+        least = 2 * std::max(1.0, away_xy) + reach * std::max(0.0, double(b.farthest_w));
+        most = 2 * std::max({1.0, most_x, most_y}) + reach * double(leaf.largest_w);
     }
     // And of the corners: corner_margin, over c as well.
     const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),

@@ -11,6 +11,9 @@ namespace firsthit {
 
 inline constexpr int kLightFaces = 6;
 
+/// How far x and y of samples may be from 0: of the wide face. Others' are within 1.
+inline constexpr float kWidestFace = 8;
+
 /// Coordinates on one face: d in the light's space is seen at (x, y) = (a, b) / c, where c is the
 /// coordinate along the face's axis and a, b are the other two; they only change places and sign,
 /// so nothing is rounded. The depth is kept as w = 1 / c. A directional light has one face, where
@@ -39,7 +42,7 @@ inline LightFace light_face(bool directional, int number)
 }
 
 /// A point as its face sees it: one rounding each, so what lies between two points is seen between
-/// them. x and y of a point light's samples are within 1.
+/// them. x and y of a point light's samples are within kWidestFace.
 struct SeenPoint {
     float x, y, w;
 };

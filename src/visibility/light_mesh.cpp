@@ -34,6 +34,25 @@ void see_range(std::size_t range, const SampleBounds& bounds, LightMesh& mesh)
     mesh.range_count[range] = std::uint32_t(kept - &mesh.in_view[first]);
 }
 
+/// The face that sees all of the box within kWidestFace; that where it is nearest to the middle.
+int find_wide_face(const VertexBox& box)
+{
+    float best = kWidestFace;
+    int found = -1;
+    for (int number = 0; number < kLightFaces; ++number) {
+        const LightFace face = light_face(false, number);
+        const glm::vec3 low = face.seen_from(box.low), high = face.seen_from(box.high);
+        const auto farthest = [&](int axis) {
+            return std::max(std::abs(low[axis]), std::abs(high[axis]));
+        };
+        const float nearest = std::min(low.z, high.z);
+        if (!(nearest > 0)) continue;
+        const float widest = std::max(farthest(0), farthest(1)) / nearest;
+        if (widest < best) best = widest, found = number;
+    }
+    return found;
+}
+
 } // namespace
 
 bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box)
@@ -43,8 +62,8 @@ bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& bo
         face.seen_from(corners[0]), face.seen_from(corners[1]), face.seen_from(corners[2])};
     if (!(seen[0].z > 0) && !(seen[1].z > 0) && !(seen[2].z > 0)) return false;
     const Interval x = project_front(seen, 0), y = project_front(seen, 1);
-    // Rounded to double and to float: the samples' bounds are within 1.
-    constexpr float kMargin = 0x1p-20f;
+    // Rounded to double and to float.
+    constexpr float kMargin = 0x1p-20f * kWidestFace;
     box.x0 = float(x.low) - kMargin, box.x1 = float(x.high) + kMargin;
     box.y0 = float(y.low) - kMargin, box.y1 = float(y.high) + kMargin;
     box.nearest_w = std::numeric_limits<float>::infinity();
@@ -60,9 +79,14 @@ void see_from_light(const LightSpace& space, std::span<const glm::vec3> position
     mesh.seen.resize(position.size());
     mesh.in_view.resize(index.size() + 1);
     mesh.range_count.resize((index.size() + kLightRange - 1) / kLightRange);
+    mesh.range_box.resize((position.size() + kLightRange - 1) / kLightRange);
     tasks.for_ranges(position.size(), kLightRange, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v) mesh.corner[v] = to_light(space, position[v]);
+        mesh.range_box[first / kLightRange] =
+            move_vertices(space, &position[first], last - first, &mesh.corner[first]);
     });
+    VertexBox all;
+    for (const VertexBox& box : mesh.range_box.span()) all.add(box);
+    mesh.wide_face = space.directional ? -1 : find_wide_face(all);
 }
 
 void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks)
@@ -73,11 +97,12 @@ void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks)
     });
 }
 
-void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks)
+void place_all_vertices(const LightFace& face, const GridAxes& axes, LightMesh& mesh, Tasks& tasks)
 {
-    mesh.place.resize(mesh.seen.size());
-    tasks.for_ranges(mesh.seen.size(), kLightRange, [&](std::size_t first, std::size_t last) {
-        place_vertices(axes, &mesh.seen[first], last - first, &mesh.place[first]);
+    mesh.face = face;
+    mesh.place.resize(mesh.corner.size());
+    tasks.for_ranges(mesh.corner.size(), kLightRange, [&](std::size_t first, std::size_t last) {
+        place_vertices(axes, face, &mesh.corner[first], last - first, &mesh.place[first]);
     });
 }
 

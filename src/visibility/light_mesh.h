@@ -8,9 +8,11 @@
 #include "visibility/irregular_samples.h"
 #include "visibility/light_face.h"
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace firsthit {
@@ -30,9 +32,24 @@ inline bool may_shadow(const SeenTriangle& box, const SampleBounds& bounds)
            box.y1 >= bounds.y0 && !(box.nearest_w < bounds.farthest_w);
 }
 
+/// The least and greatest coordinates of some vertices.
+struct VertexBox {
+    glm::vec3 low{std::numeric_limits<float>::infinity()};
+    glm::vec3 high{-std::numeric_limits<float>::infinity()};
+
+    void add(const VertexBox& other)
+    {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
+};
+
 /// Kept from frame to frame.
 struct LightMesh {
     LightSpace space;
+    /// The face of a point light that sees all that lies in front of it within kWidestFace, where
+    /// that is all vertices: six would each go through all triangles. -1: there is none.
+    int wide_face = -1;
     std::span<const glm::uvec3> index;
     Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
     LightFace face;
@@ -41,6 +58,7 @@ struct LightMesh {
     // (T) room; each range of triangles fills the start of its part
     Buffer<SeenTriangle, Pages::small> in_view;
     Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
+    Buffer<VertexBox> range_box;       // (ranges) of vertices
 
     Corners corners(std::uint32_t triangle) const
     {
@@ -49,22 +67,27 @@ struct LightMesh {
     }
 };
 
-/// Triangles of one range.
+/// Triangles or vertices of one range.
 inline constexpr std::size_t kLightRange = 8192;
 
 /// Some vertices as a face sees them: x is no number for those that are behind it or unusable.
 void see_vertices(
     const LightFace& face, const glm::vec3* corner, std::size_t count, SeenPoint* seen);
 
-/// Moves all vertices into the light's space.
+/// Moves some vertices into the light's space, as to_light, and says where they lie there; parallel
+/// light is not told that.
+VertexBox move_vertices(
+    const LightSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner);
+
+/// Moves all vertices into the light's space, and looks for a wide face.
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);
 
 /// All vertices of the mesh as the face sees them.
 void see_all_vertices(const LightFace& face, LightMesh& mesh, Tasks& tasks);
 
-/// And their places on a grid.
-void place_all_vertices(const GridAxes& axes, LightMesh& mesh, Tasks& tasks);
+/// Only their places on a grid of the face's samples.
+void place_all_vertices(const LightFace& face, const GridAxes& axes, LightMesh& mesh, Tasks& tasks);
 
 /// The box of a triangle with a corner behind the face, or with one that makes it invisible: then
 /// false.

@@ -1,29 +1,17 @@
-// sample_grid.cpp - a counting sort of samples into coarse cells, then into those of one coarse cell.
+// sample_grid.cpp - a counting sort of samples into strips, then of each strip into its cells.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visibility/sample_grid.cpp"
 #include "base/simd.h"
 
 #include "visibility/grid_places-inl.h"
 #include "visibility/sample_grid.h"
+#include "visibility/see_lanes-inl.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
-
-#ifndef FIRSTHIT_SAMPLE_GRID_PLACES
-#define FIRSTHIT_SAMPLE_GRID_PLACES
-namespace firsthit {
-
-/// The part of its cell that a place lies in, a bit.
-inline std::uint64_t part_of(std::uint32_t place, std::uint32_t level)
-{
-    const std::uint32_t shift = kMostLevels - level;
-    return std::uint64_t(1) << ((place >> (16 + shift) & 7) * 8 + (place >> shift & 7));
-}
-
-} // namespace firsthit
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -32,18 +20,23 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Reals = hn::CappedTag<float, 16>;
-using Places = hn::RebindToSigned<Reals>;
+using Halves = hn::RebindToUnsigned<Reals>;
 
-/// x + 65536 y.
-template <class V>
-HWY_INLINE auto places_of(const GridAxes& axes, V x, V y)
+/// Words of GridPlace: `w` and the places of x and y.
+template <class V, class W>
+HWY_INLINE void store_places(const GridAxes& axes, V x, V y, W w, std::uint64_t* to)
 {
-    return hn::Or(
-        places_along(axes.x, 65535.0f, x), hn::ShiftLeft<16>(places_along(axes.y, 65535.0f, y)));
+    const Halves d;
+    const auto along_x = places_along(axes.x, 65535.0f, x),
+               along_y = places_along(axes.y, 65535.0f, y);
+    const auto xy = axes.turned ? hn::Or(along_y, hn::ShiftLeft<16>(along_x))
+                                : hn::Or(along_x, hn::ShiftLeft<16>(along_y));
+    hn::StoreInterleaved2(
+        hn::BitCast(d, w), hn::BitCast(d, xy), d, reinterpret_cast<std::uint32_t*>(to));
 }
 
-/// to[k] = x + 65536 y of sample k. Up to 15 more are written.
-void place_given(const GridAxes& axes, std::span<const IrregularSample> samples, std::uint32_t* to)
+/// to[k] = the place of sample k. Up to 15 more are written.
+void place_given(const GridAxes& axes, std::span<const IrregularSample> samples, std::uint64_t* to)
 {
     const Reals d;
     const std::size_t lanes = hn::Lanes(d);
@@ -57,86 +50,35 @@ void place_given(const GridAxes& axes, std::span<const IrregularSample> samples,
         }
         auto x = hn::Zero(d), y = x, w = x, id = x;
         hn::LoadInterleaved4(d, &from->x, x, y, w, id);
-        hn::StoreU(places_of(axes, x, y), Places(), reinterpret_cast<std::int32_t*>(to + k));
+        store_places(axes, x, y, places_along(axes.w, 65534.0f, w), to + k);
     }
 }
 
-/// The samples of a block.
-struct BlockPlaces {
-    alignas(64) std::uint32_t at[GridBlock::kSamples]; // x + 65536 y
-    alignas(64) std::uint32_t w[GridBlock::kSamples];
-};
-
-HWY_INLINE void place_block(const GridAxes& axes, const GridBlock& block, BlockPlaces& places)
-{
-    const hn::CappedTag<float, GridBlock::kSamples> d;
-    const hn::RebindToSigned<decltype(d)> i;
-    for (std::size_t k = 0; k < GridBlock::kSamples; k += hn::Lanes(d)) {
-        hn::Store(places_of(axes, hn::Load(d, block.x + k), hn::Load(d, block.y + k)), i,
-            reinterpret_cast<std::int32_t*>(places.at + k));
-        hn::Store(places_along(axes.w, 65534.0f, hn::Load(d, block.w + k)), i,
-            reinterpret_cast<std::int32_t*>(places.w + k));
-    }
-}
-
-/// Looks at the samples of all cells of a coarse cell, and fills up their last blocks.
-/// end  (cells) the slots behind their last samples
-void finish(CoarseCell& coarse, const std::uint32_t* end, SampleGrid& grid)
-{
-    constexpr std::uint32_t kSamples = GridBlock::kSamples;
-    BlockPlaces places;
-    coarse.farthest_w = kLastPlace;
-    const std::size_t cells = std::size_t(1) << 2 * coarse.level;
-    for (std::size_t c = coarse.first; c < coarse.first + cells; ++c) {
-        std::uint64_t occupied = 0;
-        std::uint32_t farthest = kLastPlace;
-        for (std::uint32_t slot = grid.cells[c].first * kSamples; slot < end[c]; slot += kSamples) {
-            GridBlock& block = grid.blocks[slot / kSamples];
-            const std::uint32_t count = std::min(kSamples, end[c] - slot);
-            for (std::uint32_t k = count; k < kSamples; ++k) {
-                block.x[k] = std::numeric_limits<float>::infinity();
-                block.y[k] = block.w[k] = 0;
-                block.item[k] = kNoItem;
-                grid.id[slot + k] = kNoSample;
-            }
-            place_block(grid.axes, block, places);
-            for (std::uint32_t k = 0; k < count; ++k) {
-                farthest = std::min(farthest, places.w[k]);
-                occupied |= part_of(places.at[k], coarse.level);
-            }
-        }
-        grid.cells[c].occupied = occupied;
-        grid.cells[c].farthest_w = farthest;
-        coarse.farthest_w = std::uint16_t(std::min<std::uint32_t>(coarse.farthest_w, farthest));
-    }
-}
-
-/// Vertices whose x is no number are not seen.
-void place_corners(const GridAxes& axes, const SeenPoint* seen, std::size_t count, GridPlace* to)
+void place_corners(const GridAxes& axes, const LightFace& face, const glm::vec3* corner,
+    std::size_t count, GridPlace* to)
 {
     const Reals d;
-    const Places p;
+    const hn::RebindToSigned<Reals> whole;
     const std::size_t lanes = hn::Lanes(d);
-    alignas(64) std::int32_t xy[16], w[16];
-    SeenPoint last[16];
     for (std::size_t v = 0; v < count; v += lanes) {
         const std::size_t some = std::min(lanes, count - v);
-        const SeenPoint* from = seen + v;
+        const float* from = &corner[v].x;
+        glm::vec3 last[16];
         if (some < lanes) {
-            for (std::size_t k = 0; k < lanes; ++k) last[k] = seen[std::min(v + k, count - 1)];
-            from = last;
+            for (std::size_t k = 0; k < lanes; ++k) last[k] = corner[std::min(v + k, count - 1)];
+            from = &last[0].x;
         }
-        auto x = hn::Zero(d), y = x, depth = x;
-        hn::LoadInterleaved3(d, &from->x, x, y, depth);
-        hn::Store(places_of(axes, x, y), p, xy);
-        const auto nowhere = hn::RebindMask(p, hn::Not(hn::Eq(x, x)));
-        hn::Store(
-            hn::IfThenElse(nowhere, hn::Set(p, kLastPlace), places_along(axes.w, 65534.0f, depth)),
-            p, w);
-        for (std::size_t k = 0; k < some; ++k) {
-            const std::uint64_t word =
-                std::uint64_t(std::uint32_t(xy[k])) | std::uint64_t(std::uint32_t(w[k])) << 32;
-            std::memcpy(to + v + k, &word, sizeof word);
+        auto px = hn::Zero(d), py = px, pz = px;
+        hn::LoadInterleaved3(d, from, px, py, pz);
+        const SeenLanes<Reals> seen = see_lanes(d, face, px, py, pz);
+        const auto w = hn::IfThenElse(hn::RebindMask(whole, seen.sound),
+            places_along(axes.w, 65534.0f, seen.w), hn::Set(whole, kLastPlace));
+        if (some == lanes) {
+            store_places(axes, seen.x, seen.y, w, reinterpret_cast<std::uint64_t*>(to + v));
+        } else {
+            std::uint64_t words[16];
+            store_places(axes, seen.x, seen.y, w, words);
+            std::memcpy(to + v, words, some * sizeof words[0]);
         }
     }
 }
@@ -150,19 +92,15 @@ HWY_AFTER_NAMESPACE();
 namespace firsthit {
 
 HWY_EXPORT(place_given);
-HWY_EXPORT(finish);
 HWY_EXPORT(place_corners);
 
 namespace {
 
-// Measured: with fewer a triangle meets too many cells, with more too many samples that it misses.
-constexpr std::uint32_t kCellSamples = 32; // at most wanted in a cell
-constexpr std::size_t kSpare = 16;         // samples nowhere, for a register's end
-constexpr std::size_t kAfter =
-    (1 << kMostLevels) + 3; // cells after the last: a row, and neighbours
-constexpr std::size_t kAllCoarse = std::size_t(kCoarseCells) * kCoarseCells;
+// Measured: a higher strip has longer runs, a lower one cuts more triangles.
+constexpr double kStripHeight = 4;           // in distances of samples
+constexpr std::uint64_t kNowhere = 1u << 16; // no place: its `nothing` is something
 
-GridAxes axes_of(const SampleBounds& bounds)
+GridAxes axes_of(const SampleBounds& bounds, bool turned)
 {
     const auto axis = [](float low, float high) {
         const float scale = 65533.0f / (high - low);
@@ -170,135 +108,192 @@ GridAxes axes_of(const SampleBounds& bounds)
                                                           : GridAxes::Axis{};
     };
     return {axis(bounds.x0, bounds.x1), axis(bounds.y0, bounds.y1),
-        axis(bounds.farthest_w, bounds.nearest_w)};
+        axis(bounds.farthest_w, bounds.nearest_w), turned};
 }
 
-std::uint32_t coarse_cell(std::uint32_t place)
+/// A place is off by 1 / 2 where it is rounded, by 3 roundings on the way of numbers up to 2^16, and
+/// by its coordinate's own one (a point light's). Differences of two places by twice that, d; so
+/// the edge (b - a) x (p - a) by 2 d S + 2 d^2. d is taken as 1.25 or that times a power of 2.
+void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
 {
-    return (place >> (16 + kFineBits) << kCoarseBits) | ((place & 0xFFFF) >> kFineBits);
+    const auto off = [&](const GridAxes::Axis& axis, float low, float high) {
+        const double largest = std::max(std::abs(double(low)), std::abs(double(high)));
+        const double rounded = directional ? 0 : 0x1p-24 * 1.01 * largest * double(axis.scale);
+        return 0.5 + 0.02 + rounded;
+    };
+    const double most = 2 * std::max(off(grid.axes.x, bounds.x0, bounds.x1),
+                                off(grid.axes.y, bounds.y0, bounds.y1));
+    constexpr int kMostShift = 8;
+    grid.error_shift = 0;
+    while (grid.error_shift < kMostShift && !(most <= std::ldexp(1.25, grid.error_shift)))
+        ++grid.error_shift;
+    const bool fits = most <= std::ldexp(1.25, grid.error_shift);
+    grid.error_rest = fits ? 4u << 2 * grid.error_shift : 1u << 30;
 }
 
-/// The cell of a place in a coarse cell of that level, from the coarse cell's first one.
-std::uint32_t inner_cell(std::uint32_t place, std::uint32_t level)
+/// From counts (shares, rows) to strips of rows, and to where each share's samples of each strip go.
+/// Returns the number of samples.
+std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
 {
-    const std::uint32_t shift = kFineBits - level;
-    return ((place >> 16 & kFineMask) >> shift << level) | ((place & kFineMask) >> shift);
-}
-
-/// From counts (shares, coarse cells) to levels and first cells. Returns the number of cells.
-std::size_t divide_coarse(std::size_t shares, SampleGrid& grid)
-{
-    grid.coarse.resize(kAllCoarse);
-    std::uint32_t next = 0;
-    for (std::size_t cell = 0; cell < kAllCoarse; ++cell) {
-        std::uint32_t samples = 0, level = 0;
-        for (std::size_t s = 0; s < shares; ++s)
-            samples += grid.coarse_counts[s * kAllCoarse + cell];
-        while (level < std::uint32_t(kMostLevels) && samples >> (2 * level) > kCellSamples) ++level;
-        grid.coarse[cell] = {next, std::uint16_t(level), 0};
-        next += 1u << (2 * level);
+    std::size_t total = 0;
+    for (std::size_t k = 0; k < shares * kStripRows; ++k) total += grid.row_counts[k];
+    const double wanted = kStripHeight * std::sqrt(double(total));
+    grid.strip_of.resize(kStripRows);
+    std::size_t strip = 0, samples = 0;
+    for (std::size_t row = 0; row < kStripRows; ++row) {
+        std::size_t here = 0;
+        for (std::size_t s = 0; s < shares; ++s) here += grid.row_counts[s * kStripRows + row];
+        if (samples > 0 && double(samples) + 0.5 * double(here) > wanted) ++strip, samples = 0;
+        samples += here;
+        grid.strip_of[row] = std::uint16_t(strip);
     }
+    const std::size_t strips = strip + 1;
+    grid.cursor.resize(shares * strips, shares * strips / 4);
+    std::fill_n(grid.cursor.data(), shares * strips, 0u);
+    for (std::size_t s = 0; s < shares; ++s)
+        for (std::size_t row = 0; row < kStripRows; ++row)
+            grid.cursor[s * strips + grid.strip_of[row]] += grid.row_counts[s * kStripRows + row];
+    grid.strips.resize(strips, strips / 4);
+    std::uint32_t next = 0, cell = 0;
+    for (std::size_t k = 0; k < strips; ++k) {
+        const std::uint32_t sample = next;
+        for (std::size_t s = 0; s < shares; ++s) {
+            const std::uint32_t count = grid.cursor[s * strips + k];
+            grid.cursor[s * strips + k] = next;
+            next += count;
+        }
+        const std::uint32_t count = next - sample;
+        const std::uint32_t columns = std::min(32768u, std::bit_floor(std::max(1u, count)));
+        grid.strips[k] = {cell, 17u - std::uint32_t(std::bit_width(columns)), sample, count};
+        cell += columns + 1;
+    }
+    grid.start.resize(cell, cell / 4);
     return next;
 }
 
-/// From counts (shares, cells) to the slots where each share writes its samples of each cell, and to
-/// the cells' first blocks. Returns the number of blocks.
-std::uint32_t place_cells(std::size_t shares, std::size_t cells, SampleGrid& grid)
+/// The farthest samples of a strip's columns; kLastPlace where there are none.
+void find_farthest(std::size_t number, SampleGrid& grid)
 {
-    constexpr std::uint32_t kSamples = GridBlock::kSamples;
-    grid.cells.resize(cells + kAfter, cells / 4);
-    std::uint32_t next = 0;
-    double squares = 0, total = 0;
-    for (std::size_t c = 0; c < cells; ++c) {
-        const std::uint32_t first = next;
-        grid.cells[c].first = first / kSamples;
-        for (std::size_t s = 0; s < shares; ++s) {
-            const std::uint32_t count = grid.cursor[s * cells + c];
-            grid.cursor[s * cells + c] = next;
-            next += count;
-        }
-        const double count = next - first;
-        squares += count * count;
-        total += count;
-        next = (next + kSamples - 1) / kSamples * kSamples;
+    const GridStrip& strip = grid.strips[number];
+    std::uint16_t* const farthest = &grid.farthest[number * kDepthColumns];
+    std::fill_n(farthest, kDepthColumns, kLastPlace);
+    for (std::uint32_t k = strip.sample; k < strip.sample + strip.count; ++k) {
+        const std::uint64_t place = grid.place[k];
+        std::uint16_t& least = farthest[place >> (32 + kDepthShift) & (kDepthColumns - 1)];
+        least = std::min(least, std::uint16_t(place));
     }
-    grid.crowding = squares / std::max(1.0, total);
-    std::fill_n(&grid.cells[cells], kAfter, GridCell{0, next / kSamples, kLastPlace});
-    return next / kSamples;
+    for (std::size_t k = 0; k + 1 < kDepthColumns; ++k)
+        farthest[k] = std::min(farthest[k], farthest[k + 1]);
 }
 
-/// Copies the samples of some patches to their cells.
-void move_samples(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const LightPoints& points, std::uint32_t* cursor, SampleGrid& grid)
+/// Sorts a strip's samples into its cells.
+void sort_strip(std::size_t number, SampleGrid& grid)
 {
-    for (const SamplePatch& patch : patches) {
-        for (std::size_t k = patch.range.first; k < patch.range.first + patch.range.count; ++k) {
-            const IrregularSample& sample = samples[k];
-            const std::uint32_t to = cursor[grid.cell_of[k]]++, lane = to % GridBlock::kSamples;
-            GridBlock& block = grid.blocks[to / GridBlock::kSamples];
-            block.x[lane] = sample.x;
-            block.y[lane] = sample.y;
-            block.w[lane] =
-                sample.w == sample.w ? sample.w : -std::numeric_limits<float>::infinity();
-            block.item[lane] = points.item ? points.item[sample.id] : kNoItem;
-            grid.id[to] = sample.id;
-        }
+    const GridStrip strip = grid.strips[number];
+    const std::uint32_t first = strip.sample, last = first + strip.count;
+    std::uint16_t* const start = &grid.start[strip.first];
+    std::uint16_t* const cursor = start + 1;
+    const std::size_t columns = 65536u >> strip.shift;
+    const auto column = [&](std::uint64_t place) {
+        return std::uint32_t(place >> 32 & 0xFFFF) >> strip.shift;
+    };
+    std::fill_n(start, columns + 1, std::uint16_t(0));
+    for (std::uint32_t k = first; k < last; ++k) ++cursor[column(grid.by_strip[k].place)];
+    std::uint32_t next = 0;
+    std::uint64_t squares = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+        const std::uint32_t count = cursor[c];
+        cursor[c] = std::uint16_t(next);
+        next += count;
+        squares += std::uint64_t(count) * count;
     }
+    grid.squares[number] = double(squares);
+    for (std::uint32_t k = first; k < last; ++k) {
+        const SortedSample& sample = grid.by_strip[k];
+        const std::uint32_t to = first + cursor[column(sample.place)]++;
+        grid.place[to] = sample.place;
+        grid.item[to] = sample.item;
+        grid.number[to] = sample.number;
+    }
+}
+
+double find_crowding(std::size_t samples, const SampleGrid& grid)
+{
+    const double total = std::max(1.0, double(samples));
+    double cells = 0, rows = 0;
+    for (std::size_t k = 0; k < grid.strips.size(); ++k) {
+        const double count = grid.strips[k].count;
+        cells += grid.squares[k];
+        rows += count * count;
+    }
+    return cells / total + rows / (total * std::sqrt(total));
 }
 
 } // namespace
 
-void place_vertices(
-    const GridAxes& axes, const SeenPoint* seen, std::size_t count, GridPlace* places)
+void place_vertices(const GridAxes& axes, const LightFace& face, const glm::vec3* corner,
+    std::size_t count, GridPlace* places)
 {
-    HWY_DYNAMIC_DISPATCH(place_corners)(axes, seen, count, places);
+    HWY_DYNAMIC_DISPATCH(place_corners)(axes, face, corner, count, places);
 }
 
-void sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const LightPoints& points, SampleGrid& grid, Tasks& tasks)
+bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
+    const SampleBounds& bounds, const GridView& view, const LightPoints& points, SampleGrid& grid,
+    Tasks& tasks)
 {
     grid.bounds = bounds;
-    grid.axes = axes_of(bounds);
+    grid.axes = axes_of(bounds, view.turned);
+    grid.samples = samples;
+    find_errors(bounds, view.directional, grid);
     const Shares shares(patches.size(), std::size_t(tasks.threads()));
-    grid.cell_of.resize(samples.size() + kSpare);
-    grid.coarse_counts.resize(shares.count * kAllCoarse);
+    grid.given.resize(samples.size() + SampleGrid::kSpare);
+    grid.row_counts.resize(shares.count * kStripRows);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
-        std::uint32_t* counts = &grid.coarse_counts[share * kAllCoarse];
-        std::fill_n(counts, kAllCoarse, 0u);
+        std::uint32_t* counts = &grid.row_counts[share * kStripRows];
+        std::fill_n(counts, kStripRows, 0u);
         for (const SamplePatch& patch : shares.of(patches, share)) {
-            std::uint32_t* place = &grid.cell_of[patch.range.first];
+            std::uint64_t* place = &grid.given[patch.range.first];
             HWY_DYNAMIC_DISPATCH(place_given)
             (grid.axes, samples.subspan(patch.range.first, patch.range.count), place);
-            for (std::size_t k = 0; k < patch.range.count; ++k) ++counts[coarse_cell(place[k])];
+            for (std::size_t k = 0; k < patch.range.count; ++k)
+                ++counts[place[k] >> (48 + kStripShift)];
         }
     });
 
-    const std::size_t cells = divide_coarse(shares.count, grid);
-    grid.cursor.resize(shares.count * cells, shares.count * cells / 4);
+    const std::size_t total = divide_rows(shares.count, grid), strips = grid.strips.size();
+    for (const GridStrip& strip : grid.strips.span()) {
+        if (strip.count <= 65535) continue;
+        grid.crowding = std::numeric_limits<double>::infinity();
+        return false;
+    }
+    grid.by_strip.resize(total, total / 4);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
-        std::uint32_t* counts = &grid.cursor[share * cells];
-        std::fill_n(counts, cells, 0u);
+        std::uint32_t* cursor = &grid.cursor[share * strips];
         for (const SamplePatch& patch : shares.of(patches, share)) {
-            std::uint32_t* cell = &grid.cell_of[patch.range.first];
-            for (std::size_t k = 0; k < patch.range.count; ++k) {
-                const CoarseCell& coarse = grid.coarse[coarse_cell(cell[k])];
-                cell[k] = coarse.first + inner_cell(cell[k], coarse.level);
-                ++counts[cell[k]];
+            for (std::size_t k = patch.range.first; k < patch.range.first + patch.range.count;
+                 ++k) {
+                const std::uint64_t place = grid.given[k];
+                const std::uint32_t item =
+                    points.item ? points.item[samples[k].id] : std::uint32_t(kNoItem);
+                grid.by_strip[cursor[grid.strip_of[place >> (48 + kStripShift)]]++] = {
+                    place, item, std::uint32_t(k)};
             }
         }
     });
 
-    const std::size_t blocks = place_cells(shares.count, cells, grid);
-    grid.blocks.resize(blocks, blocks / 4);
-    grid.id.resize(blocks * GridBlock::kSamples, blocks * GridBlock::kSamples / 4);
-    tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
-        move_samples(samples, shares.of(patches, share), points, &grid.cursor[share * cells], grid);
+    grid.place.resize(total + SampleGrid::kSpare, total / 4);
+    grid.item.resize(total + SampleGrid::kSpare, total / 4);
+    grid.number.resize(total, total / 4);
+    grid.squares.resize(strips, strips / 4);
+    grid.farthest.resize(strips * kDepthColumns, strips * kDepthColumns / 4);
+    tasks.for_each(strips, [&](std::size_t strip, std::size_t) {
+        sort_strip(strip, grid);
+        find_farthest(strip, grid);
     });
-    const std::uint32_t* end = &grid.cursor[(shares.count - 1) * cells]; // by now
-    tasks.for_each(kCoarseCells, [&](std::size_t row, std::size_t) {
-        for (std::size_t k = row * kCoarseCells; k < (row + 1) * kCoarseCells; ++k)
-            HWY_DYNAMIC_DISPATCH(finish)(grid.coarse[k], end, grid);
-    });
+    std::fill_n(&grid.place[total], SampleGrid::kSpare, kNowhere);
+    std::fill_n(&grid.item[total], SampleGrid::kSpare, std::uint32_t(kNoItem));
+    grid.crowding = find_crowding(total, grid);
+    return true;
 }
 
 } // namespace firsthit

@@ -8,6 +8,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
@@ -35,6 +37,18 @@ HWY_INLINE Points load_points(const LightChunk& chunk, std::size_t k)
     return {x, y, z, hn::And(usable, hn::FirstN(d, chunk.count - k))};
 }
 
+/// The lanes that the wide face sees.
+HWY_INLINE hn::Mask<Reals> on_wide_face(const Points& p, const LightFace& face)
+{
+    const Reals d;
+    const auto along = [&](int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; };
+    const Real widest =
+        hn::Mul(along(face.axis_c), hn::Set(d, face.sign * kWidestFace)); // below 0: behind
+    return hn::And(hn::And(p.valid, hn::Gt(widest, hn::Zero(d))),
+        hn::And(hn::Le(hn::Abs(along(face.axis_a)), widest),
+            hn::Le(hn::Abs(along(face.axis_b)), widest)));
+}
+
 /// The lanes whose major axis is the face's. Every point but 0 has one face.
 HWY_INLINE hn::Mask<Reals> on_face(const Points& p, int face)
 {
@@ -48,20 +62,20 @@ HWY_INLINE hn::Mask<Reals> on_face(const Points& p, int face)
     return hn::And(p.valid, hn::And(major, ahead));
 }
 
-/// Appends the samples of one face. A directional light has only one.
-void see_face(const LightSpace& space, const LightChunk& chunk, int number, std::size_t& next,
-    std::span<IrregularSample> samples, SampleBounds& bounds)
+/// Appends the samples that lie on the face. A directional light has only one.
+template <class Chosen>
+HWY_INLINE void see_face(const LightFace& face, const LightChunk& chunk, const Chosen& chosen_of,
+    std::size_t& next, std::span<IrregularSample> samples, SampleBounds& bounds)
 {
     const Reals d;
     const Numbers du;
-    const bool directional = space.directional;
-    const LightFace face = light_face(directional, number);
+    const bool directional = face.directional;
     const Real infinite = hn::Inf(d), least = hn::Neg(infinite);
     const Real one = hn::Set(d, 1.0f), greatest = hn::Set(d, kGreatestW);
     Real x0 = infinite, y0 = infinite, x1 = least, y1 = least, far = infinite, near = least;
     for (std::size_t k = 0; k < chunk.count; k += hn::Lanes(d)) {
         const Points p = load_points(chunk, k);
-        const auto chosen = directional ? p.valid : on_face(p, number);
+        const auto chosen = chosen_of(p);
         if (hn::AllFalse(d, chosen)) continue;
         const auto along = [&](int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; };
         const Real a = along(face.axis_a), b = along(face.axis_b);
@@ -91,13 +105,14 @@ void see_face(const LightSpace& space, const LightChunk& chunk, int number, std:
     bounds = {lowest(x0), lowest(y0), highest(x1), highest(y1), lowest(far), highest(near)};
 }
 
-/// The faces that see a point of the chunk, a bit each.
-unsigned faces_of(const LightChunk& chunk)
+/// The faces that see a point of the chunk that the wide one does not, a bit each.
+unsigned faces_of(const LightChunk& chunk, const LightFace* wide)
 {
     const Reals d;
     unsigned faces = 0;
     for (std::size_t k = 0; k < chunk.count; k += hn::Lanes(d)) {
         Points p = load_points(chunk, k);
+        if (wide) p.valid = hn::AndNot(on_wide_face(p, *wide), p.valid);
         for (int face = 0; face < kLightFaces; ++face)
             if (faces >> face & 1) p.valid = hn::AndNot(on_face(p, face), p.valid);
         if (hn::AllFalse(d, p.valid)) continue; // all on faces that are known, as mostly
@@ -107,16 +122,31 @@ unsigned faces_of(const LightChunk& chunk)
     return faces;
 }
 
-void see(const LightSpace& space, const LightChunk& chunk, std::size_t first,
+void see(const LightMesh& mesh, const LightChunk& chunk, std::size_t first,
     std::span<IrregularSample> samples, FaceParts& parts)
 {
-    const unsigned faces = space.directional ? 1 : faces_of(chunk);
+    const bool directional = mesh.space.directional;
+    const LightFace wide = light_face(directional, std::max(mesh.wide_face, 0));
+    const LightFace* const has_wide = mesh.wide_face < 0 ? nullptr : &wide;
+    const unsigned faces = directional ? 0 : faces_of(chunk, has_wide);
     std::size_t next = first;
-    for (int face = 0; face < kLightFaces; ++face) {
+    for (int number = 0; number < kLightFaces; ++number) {
         const std::size_t start = next;
-        SamplePatch& part = parts[std::size_t(face)];
+        SamplePatch& part = parts[std::size_t(number)];
         part = {};
-        if (faces >> face & 1) see_face(space, chunk, face, next, samples, part.bounds);
+        const auto see_chosen = [&](const auto& chosen) {
+            see_face(light_face(directional, number), chunk, chosen, next, samples, part.bounds);
+        };
+        if (directional) {
+            if (number == 0) see_chosen([](const Points& p) { return p.valid; });
+        } else if (number == mesh.wide_face) {
+            see_chosen([&](const Points& p) { return on_wide_face(p, wide); });
+        } else if (faces >> number & 1) {
+            see_chosen([&](const Points& p) {
+                const auto on = on_face(p, number);
+                return has_wide ? hn::AndNot(on_wide_face(p, wide), on) : on;
+            });
+        }
         part.range = {start, next - start};
     }
 }
@@ -131,10 +161,10 @@ namespace firsthit {
 
 HWY_EXPORT(see);
 
-void see_points(const LightSpace& space, const LightChunk& chunk, std::size_t first,
+void see_points(const LightMesh& mesh, const LightChunk& chunk, std::size_t first,
     std::span<IrregularSample> samples, FaceParts& parts)
 {
-    HWY_DYNAMIC_DISPATCH(see)(space, chunk, first, samples, parts);
+    HWY_DYNAMIC_DISPATCH(see)(mesh, chunk, first, samples, parts);
 }
 
 } // namespace firsthit

@@ -4,7 +4,7 @@
 #include "exact/shadow_ray.h"
 #include "visibility/irregular_patches.h"
 #include "visibility/irregular_samples.h"
-#include "visibility/light_face.h"
+#include "visibility/light_mesh.h"
 
 #include <array>
 #include <span>
@@ -34,9 +34,9 @@ inline std::size_t chunk_room(std::size_t points)
     return points + 16;
 }
 
-/// Writes the chunk's points as samples from number `first` on, face by face. Points without a
-/// shadow ray (has_shadow_ray) are left out.
-void see_points(const LightSpace& space, const LightChunk& chunk, std::size_t first,
+/// Writes the chunk's points as samples from number `first` on, face by face: to the mesh's wide face
+/// what that sees. Points without a shadow ray (has_shadow_ray) are left out.
+void see_points(const LightMesh& mesh, const LightChunk& chunk, std::size_t first,
     std::span<IrregularSample> samples, FaceParts& parts);
 
 } // namespace firsthit

@@ -74,7 +74,7 @@ Certain ShadowPlane::behind(float x, float y, float w) const
     if (directional_) {
         of_point = 2 * std::max({std::abs(double(x)), std::abs(double(y)), size}) + reach_;
     } else {
-        of_point = 2 + reach_ * size;
+        of_point = 2 * std::max({1.0, std::abs(double(x)), std::abs(double(y))}) + reach_ * size;
         per_margin = size;
     }
     const double margin = double(kShadowMargin) * of_point + corner_margin_ * per_margin;
