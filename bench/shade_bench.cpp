@@ -55,11 +55,8 @@ struct Picture {
         material.specular = glm::vec3(0.3f);
         material.shininess = 20;
         if (textured) {
-            Texture texture;
-            for (int size = 256; size > 0; size /= 2)
-                texture.levels.push_back({size, size,
-                    std::vector<std::uint32_t>(std::size_t(size * size), 0xFF8040C0u)});
-            scene.textures.push_back(texture);
+            scene.textures.emplace_back("one colour",
+                Picture{256, 256, std::vector<std::uint32_t>(256 * 256, 0xFF8040C0u)});
             material.texture = 0;
         }
         scene.materials.push_back(material);

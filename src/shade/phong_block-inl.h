@@ -24,7 +24,6 @@ struct TileShade {
     const ShadeLights& lights;
     const LitTile& lit;
     const ShadeTargets& targets;
-    const ByteTable& linear; // light of the 256 sRGB codes
 };
 
 /// The samples of one register.
@@ -142,8 +141,7 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
         const real v = load(surface.uv[1] + first);
         real3 texture_color(1.0f, 1.0f, 1.0f);
         if (texture && (targets.color[0] || targets.albedo[0]))
-            texture_color =
-                sample_texture(*texture, u, v, load(surface.footprint2 + first), bits, tile.linear);
+            texture_color = sample_texture(*texture, u, v, load(surface.footprint2 + first), bits);
         if (!group.planes && (bits & lane_bits(group.reached, first)) == 0) {
             write(from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
             continue;

@@ -1,7 +1,6 @@
 // shade_tile.cpp - what colour is it? Block by block: spread the runs, then light each material.
 #include "shade/shade_tile.h"
 
-#include "base/srgb.h"
 #include "shade/run_setup.h"
 #include "shade/shade_light.h"
 
@@ -134,10 +133,9 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
 
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
-    static const ByteTable linear(linear_from_srgb());
     const ShadeLights lights(world.lights);
     const ShadeArrays arrays = shade_arrays(world);
-    const TileShade tile{hits, world, arrays, lights, lit, targets, linear};
+    const TileShade tile{hits, world, arrays, lights, lit, targets};
     const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
                         targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);
