@@ -120,9 +120,12 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
     const ShadeTargets& targets = tile.targets;
     const Scene& scene = *tile.world.scene;
     const Material& material = scene.materials[group.material];
-    const Texture* texture = tile.arrays.uv ? texture_of(scene, material) : nullptr;
+    const bool with_texture = tile.arrays.uv && (targets.color[0] || targets.albedo[0]);
+    const Texture* texture = with_texture ? texture_of(scene, material) : nullptr;
     const BlockRays rays = block_rays(tile.hits, group.block);
     bool has_geometric = group.planes;
+    alignas(64) float texture_light[3][kBlockSamples];
+    if (texture) sample_texture(*texture, surface, group.samples, texture_light);
 
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         const std::uint64_t bits = lane_bits(group.samples, first);
@@ -137,11 +140,10 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
             store_where(chosen, all, value.z, plane[2] + at);
         };
 
-        const real u = load(surface.uv[0] + first);
-        const real v = load(surface.uv[1] + first);
         real3 texture_color(1.0f, 1.0f, 1.0f);
-        if (texture && (targets.color[0] || targets.albedo[0]))
-            texture_color = sample_texture(*texture, u, v, load(surface.footprint2 + first), bits);
+        if (texture)
+            texture_color = real3(load(texture_light[0] + first), load(texture_light[1] + first),
+                load(texture_light[2] + first));
         if (!group.planes && (bits & lane_bits(group.reached, first)) == 0) {
             write(from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
             continue;
@@ -168,8 +170,8 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
             write(normal, targets.normal);
             write(from_glm(material.diffuse) * texture_color, targets.albedo);
             if (targets.uv[0]) {
-                store_where(chosen, all, u, targets.uv[0] + at);
-                store_where(chosen, all, v, targets.uv[1] + at);
+                store_where(chosen, all, load(surface.uv[0] + first), targets.uv[0] + at);
+                store_where(chosen, all, load(surface.uv[1] + first), targets.uv[1] + at);
             }
         }
         if (targets.color[0])

@@ -1,4 +1,4 @@
-// sample_texture-inl.h - the texture's colour for a register of samples, trilinear.
+// sample_texture-inl.h - the texture's colour for the samples of a block, trilinear.
 #if defined(FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_
 #undef FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_
@@ -35,20 +35,82 @@ FIRSTHIT_PURE integer first_texel(const Texture& texture, integer level)
 #endif
 }
 
+/// Which texels the samples of a block see, and how much each counts. Only registers with chosen
+/// samples are defined.
+struct BlockTexels {
+    /// Of two neighbours, the left and the right one.
+    struct alignas(64) Pairs {
+        std::int32_t left[kBlockSamples];    // index; the right one is next
+        std::int32_t weights[kBlockSamples]; // the right one's times 2^16, plus the left one's
+    };
+    struct Level {
+        Pairs top, bottom;
+    };
+    Level finer, coarser;
+    std::uint64_t blended; // samples for which the coarser level counts
+};
+
+/// Where samples are in a texture, whatever the level.
+struct TexturePlace {
+    real right;         // from the left edge, 0 to 1
+    real down;          // from the top edge, 0 to 1
+    real width, height; // of level 0, texels
+};
+
+/// Finds the texels of each lane's level, which all together count `weight`.
+HWY_INLINE void find_texels(const Texture& texture, const TexturePlace& place, real level,
+    integer weight, int first, BlockTexels::Level& texels)
+{
+    const Texels at = bilinear_texels(
+        place.right, place.down, level_size(place.width, level), level_size(place.height, level));
+    const TexelWeights weights = texel_weights(at, weight);
+    const integer begin = first_texel(texture, whole_to_integer(level));
+    const auto keep = [&](integer index, integer left, integer right, BlockTexels::Pairs& pairs) {
+        const IntegerTag d;
+        hn::Store((index + begin).lanes, d, pairs.left + first);
+        hn::Store(hn::Add(left.lanes, hn::ShiftLeft<16>(right.lanes)), d, pairs.weights + first);
+    };
+    keep(at.top, weights.top_left, weights.top_right, texels.top);
+    keep(at.bottom, weights.bottom_left, weights.bottom_right, texels.bottom);
+}
+
+/// Each sample has two levels of its own; where texels are enlarged, level 0 is enough.
+HWY_NOINLINE void find_texels(
+    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockTexels& texels)
+{
+    const real width(static_cast<float>(texture.width()));
+    const real height(static_cast<float>(texture.height()));
+    const real last(static_cast<float>(texture.levels() - 1));
+    texels.blended = 0;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        const std::uint64_t bits = lane_bits(samples, first);
+        if (bits == 0) continue;
+        const TexturePlace place{repeat(load(surface.uv[0] + first)),
+            1.0f - repeat(load(surface.uv[1] + first)), width, height};
+        const real level = mip_level(load(surface.footprint2 + first), last);
+        const real finer = floor(level);
+        const real rest = level - finer;
+        const integer coarser = whole_to_integer(rest * 32767.0f);
+        find_texels(texture, place, finer, whole_weight() - coarser, first, texels.finer);
+        const std::uint64_t blended = bits & bits_of_truth(rest > real(0.0f));
+        if (blended == 0) continue;
+        find_texels(texture, place, min(finer + 1.0f, last), coarser, first, texels.coarser);
+        texels.blended |= blended << first;
+    }
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
-/// Sums of weighted texels, while levels are added.
+/// Sums of weighted texels of one sample, while pairs are added.
 class WeightedTexels {
   public:
-    /// texel   the texture's
-    void add(const Texel* texel, const Texels& at, const TexelWeights& weights)
+    /// texel  the texture's
+    void add(const Texel* texel, const BlockTexels::Pairs& pairs, int sample)
     {
-        const auto lane = [](integer i) { return hn::GetLane(i.lanes); };
-        const Texel* const row[] = {texel + lane(at.top), texel + lane(at.bottom)};
-        const std::int32_t left[] = {lane(weights.top_left), lane(weights.bottom_left)};
-        const std::int32_t right[] = {lane(weights.top_right), lane(weights.bottom_right)};
+        const Texel* const left = texel + pairs.left[sample];
         for (std::size_t c = 0; c < 3; ++c)
-            for (int k = 0; k < 2; ++k) sum_[c] += left[k] * row[k][0][c] + right[k] * row[k][1][c];
+            sum_[c] += (pairs.weights[sample] & 0xFFFF) * left[0][c] +
+                       (pairs.weights[sample] >> 16) * left[1][c];
     }
 
     real3 light() const
@@ -62,7 +124,7 @@ class WeightedTexels {
 
 #else
 
-/// Sums of weighted texels, while levels are added.
+/// Sums of weighted texels of a register of samples, while pairs are added.
 ///
 /// Two neighbours are 16 bytes, one load. A register holds those of every fourth sample: of samples
 /// 0, 4, 8 and 12 in one of 16, and so on. After their channels are put side by side, an instruction
@@ -74,11 +136,16 @@ class WeightedTexels {
         for (Sum& sum : sum_) sum = hn::Zero(IntegerTag());
     }
 
-    /// texel   the texture's
-    HWY_INLINE void add(const Texel* texel, const Texels& at, const TexelWeights& weights)
+    /// texel  the texture's
+    HWY_INLINE void add(const Texel* texel, const BlockTexels::Pairs& pairs, int first)
     {
-        add_row(texel, at.top, weights.top_left, weights.top_right);
-        add_row(texel, at.bottom, weights.bottom_left, weights.bottom_right);
+        const IntegerTag d;
+        const std::int32_t* index = pairs.left + first;
+        const Sum weights = hn::Load(d, pairs.weights + first);
+        sum_[0] = add_samples<0>(texel, index, weights, sum_[0]);
+        sum_[1] = add_samples<1>(texel, index, weights, sum_[1]);
+        sum_[2] = add_samples<2>(texel, index, weights, sum_[2]);
+        sum_[3] = add_samples<3>(texel, index, weights, sum_[3]);
     }
 
     HWY_INLINE real3 light() const
@@ -95,17 +162,6 @@ class WeightedTexels {
 
   private:
     using Sum = hn::Vec<IntegerTag>;
-
-    HWY_INLINE void add_row(const Texel* texel, integer at, integer left, integer right)
-    {
-        alignas(64) std::int32_t index[kLanes];
-        hn::Store(at.lanes, IntegerTag(), index);
-        const Sum pair = hn::Add(left.lanes, hn::ShiftLeft<16>(right.lanes));
-        sum_[0] = add_samples<0>(texel, index, pair, sum_[0]);
-        sum_[1] = add_samples<1>(texel, index, pair, sum_[1]);
-        sum_[2] = add_samples<2>(texel, index, pair, sum_[2]);
-        sum_[3] = add_samples<3>(texel, index, pair, sum_[3]);
-    }
 
     /// Of samples k, k + 4, ...
     template <int k>
@@ -145,35 +201,37 @@ class WeightedTexels {
 
 #endif
 
-/// Trilinear colour, for the chosen lanes; the others are undefined. Each lane has levels of its own;
-/// where all chosen ones see enlarged texels, level 0 is enough.
+/// Writes the light of chosen samples, and any to others of their registers.
+HWY_NOINLINE void weigh_texels(const Texture& texture, const BlockTexels& texels,
+    std::uint64_t samples, float (&light)[3][kBlockSamples])
+{
+    const Texel* const texel = texture.texels().data();
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        if (lane_bits(samples, first) == 0) continue;
+        WeightedTexels sums;
+        sums.add(texel, texels.finer.top, first);
+        sums.add(texel, texels.finer.bottom, first);
+        if (lane_bits(texels.blended, first) != 0) {
+            sums.add(texel, texels.coarser.top, first);
+            sums.add(texel, texels.coarser.bottom, first);
+        }
+        const real3 color = sums.light();
+        store(color.x, light[0] + first);
+        store(color.y, light[1] + first);
+        store(color.z, light[2] + first);
+    }
+}
+
+/// Writes the trilinear colour of chosen samples to `light`, and any to others of their registers.
+/// In two steps, so that what a sample waits for is worked out for others meanwhile.
 ///
 /// source  Williams 1983, "Pyramidal parametrics"
-HWY_INLINE real3 sample_texture(
-    const Texture& texture, real u, real v, real length2, std::uint64_t chosen_bits)
+HWY_INLINE void sample_texture(const Texture& texture, const BlockSurface& surface,
+    std::uint64_t samples, float (&light)[3][kBlockSamples])
 {
-    const real width(static_cast<float>(texture.width()));
-    const real height(static_cast<float>(texture.height()));
-    const real last(static_cast<float>(texture.levels() - 1));
-    const real right = repeat(u);
-    const real down = 1.0f - repeat(v);
-    const real level = mip_level(length2, last);
-    const real finer = floor(level);
-    const real rest = level - finer;
-    const integer coarse = whole_to_integer(rest * 32767.0f);
-
-    WeightedTexels sums;
-    const auto add = [&](real which, integer weight) {
-        Texels at =
-            bilinear_texels(right, down, level_size(width, which), level_size(height, which));
-        const integer first = first_texel(texture, whole_to_integer(which));
-        at.top = at.top + first;
-        at.bottom = at.bottom + first;
-        sums.add(texture.texels().data(), at, texel_weights(at, weight));
-    };
-    add(finer, whole_weight() - coarse);
-    if (chosen_bits & bits_of_truth(rest > real(0.0f))) add(min(finer + 1.0f, last), coarse);
-    return sums.light();
+    BlockTexels texels;
+    find_texels(texture, surface, samples, texels);
+    weigh_texels(texture, texels, samples, light);
 }
 
 } // namespace HWY_NAMESPACE
