@@ -50,52 +50,64 @@ struct BlockTexels {
     std::uint64_t blended; // samples for which the coarser level counts
 };
 
-/// Where samples are in a texture, whatever the level.
-struct TexturePlace {
-    real right;         // from the left edge, 0 to 1
-    real down;          // from the top edge, 0 to 1
-    real width, height; // of level 0, texels
+/// Which levels the samples of a block see, and how much each counts.
+struct alignas(64) BlockLevels {
+    float finer[kBlockSamples];
+    std::int32_t coarser_weight[kBlockSamples]; // of whole_weight()
 };
 
-/// Finds the texels of each lane's level, which all together count `weight`.
-HWY_INLINE void find_texels(const Texture& texture, const TexturePlace& place, real level,
-    integer weight, int first, BlockTexels::Level& texels)
+/// Each sample has two levels of its own. Returns those for which the coarser one counts: none where
+/// texels are enlarged.
+HWY_INLINE std::uint64_t find_levels(
+    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockLevels& levels)
 {
-    const Texels at = bilinear_texels(
-        place.right, place.down, level_size(place.width, level), level_size(place.height, level));
-    const TexelWeights weights = texel_weights(at, weight);
-    const integer begin = first_texel(texture, whole_to_integer(level));
-    const auto keep = [&](integer index, integer left, integer right, BlockTexels::Pairs& pairs) {
-        const IntegerTag d;
-        hn::Store((index + begin).lanes, d, pairs.left + first);
-        hn::Store(hn::Add(left.lanes, hn::ShiftLeft<16>(right.lanes)), d, pairs.weights + first);
-    };
-    keep(at.top, weights.top_left, weights.top_right, texels.top);
-    keep(at.bottom, weights.bottom_left, weights.bottom_right, texels.bottom);
+    const real last(static_cast<float>(texture.levels() - 1));
+    std::uint64_t blended = 0;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        if (lane_bits(samples, first) == 0) continue;
+        const real level = mip_level(load(surface.footprint2 + first), last);
+        const real finer = floor(level);
+        const real rest = level - finer;
+        store(finer, levels.finer + first);
+        hn::Store(
+            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), levels.coarser_weight + first);
+        blended |= bits_of_truth(rest > real(0.0f)) << first;
+    }
+    return blended & samples;
 }
 
-/// Each sample has two levels of its own; where texels are enlarged, level 0 is enough.
-HWY_NOINLINE void find_texels(
-    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockTexels& texels)
+/// Finds the texels of the finer or the coarser levels.
+template <bool coarser>
+HWY_INLINE void find_texels(const Texture& texture, const BlockSurface& surface,
+    const BlockLevels& levels, std::uint64_t samples, BlockTexels::Level& texels)
 {
     const real width(static_cast<float>(texture.width()));
     const real height(static_cast<float>(texture.height()));
     const real last(static_cast<float>(texture.levels() - 1));
-    texels.blended = 0;
+    const IntegerTag d;
     for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const std::uint64_t bits = lane_bits(samples, first);
-        if (bits == 0) continue;
-        const TexturePlace place{repeat(load(surface.uv[0] + first)),
-            1.0f - repeat(load(surface.uv[1] + first)), width, height};
-        const real level = mip_level(load(surface.footprint2 + first), last);
-        const real finer = floor(level);
-        const real rest = level - finer;
-        const integer coarser = whole_to_integer(rest * 32767.0f);
-        find_texels(texture, place, finer, whole_weight() - coarser, first, texels.finer);
-        const std::uint64_t blended = bits & bits_of_truth(rest > real(0.0f));
-        if (blended == 0) continue;
-        find_texels(texture, place, min(finer + 1.0f, last), coarser, first, texels.coarser);
-        texels.blended |= blended << first;
+        if (lane_bits(samples, first) == 0) continue;
+        const real right = repeat(load(surface.uv[0] + first));
+        const real down = 1.0f - repeat(load(surface.uv[1] + first));
+        real level = load(levels.finer + first);
+        integer weight(hn::Load(d, levels.coarser_weight + first));
+        if (coarser)
+            level = min(level + 1.0f, last);
+        else
+            weight = whole_weight() - weight;
+
+        const Texels at =
+            bilinear_texels(right, down, level_size(width, level), level_size(height, level));
+        const TexelWeights weights = texel_weights(at, weight);
+        const integer begin = first_texel(texture, whole_to_integer(level));
+        const auto keep = [&](integer index, integer left, integer right_weight,
+                              BlockTexels::Pairs& pairs) {
+            hn::Store((index + begin).lanes, d, pairs.left + first);
+            hn::Store(hn::Add(left.lanes, hn::ShiftLeft<16>(right_weight.lanes)), d,
+                pairs.weights + first);
+        };
+        keep(at.top, weights.top_left, weights.top_right, texels.top);
+        keep(at.bottom, weights.bottom_left, weights.bottom_right, texels.bottom);
     }
 }
 
@@ -223,14 +235,17 @@ HWY_NOINLINE void weigh_texels(const Texture& texture, const BlockTexels& texels
 }
 
 /// Writes the trilinear colour of chosen samples to `light`, and any to others of their registers.
-/// In two steps, so that what a sample waits for is worked out for others meanwhile.
+/// Step by step for all of them: what a sample waits for is worked out for others meanwhile.
 ///
 /// source  Williams 1983, "Pyramidal parametrics"
-HWY_INLINE void sample_texture(const Texture& texture, const BlockSurface& surface,
+HWY_NOINLINE void sample_texture(const Texture& texture, const BlockSurface& surface,
     std::uint64_t samples, float (&light)[3][kBlockSamples])
 {
     BlockTexels texels;
-    find_texels(texture, surface, samples, texels);
+    BlockLevels levels;
+    texels.blended = find_levels(texture, surface, samples, levels);
+    find_texels<false>(texture, surface, levels, samples, texels.finer);
+    find_texels<true>(texture, surface, levels, texels.blended, texels.coarser);
     weigh_texels(texture, texels, samples, light);
 }
 
