@@ -71,14 +71,17 @@ class RunPrefetch {
     HWY_INLINE void advance(std::size_t run)
     {
         for (const std::size_t end = std::min(run + 2 * kAhead, runs_.size()); index_ < end;
-             ++index_)
+             ++index_) {
             hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
+            hwy::Prefetch(&arrays_.scene->owner[runs_[index_].item]);
+        }
         for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
              ++corner_) {
             const glm::uvec3 corner = arrays_.scene->index[runs_[corner_].item];
             for (int k = 0; k < 3; ++k) {
                 hwy::Prefetch(&arrays_.position[corner[k]]);
                 hwy::Prefetch(&arrays_.normal[corner[k]]);
+                if (arrays_.uv) hwy::Prefetch(&arrays_.uv[corner[k]]);
             }
         }
     }
