@@ -50,16 +50,18 @@ struct BlockTexels {
     std::uint64_t blended; // samples for which the coarser level counts
 };
 
-/// Which levels the samples of a block see, and how much each counts.
-struct alignas(64) BlockLevels {
+/// Where the samples of a block are in a texture, which levels they see, and how much each counts.
+struct alignas(64) BlockPlaces {
+    float right[kBlockSamples]; // from the left edge, 0 to 1
+    float down[kBlockSamples];  // from the top edge, 0 to 1
     float finer[kBlockSamples];
     std::int32_t coarser_weight[kBlockSamples]; // of whole_weight()
 };
 
 /// Each sample has two levels of its own. Returns those for which the coarser one counts: none where
 /// texels are enlarged.
-HWY_INLINE std::uint64_t find_levels(
-    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockLevels& levels)
+HWY_INLINE std::uint64_t find_places(
+    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockPlaces& places)
 {
     const real last(static_cast<float>(texture.levels() - 1));
     std::uint64_t blended = 0;
@@ -68,9 +70,11 @@ HWY_INLINE std::uint64_t find_levels(
         const real level = mip_level(load(surface.footprint2 + first), last);
         const real finer = floor(level);
         const real rest = level - finer;
-        store(finer, levels.finer + first);
+        store(finer, places.finer + first);
+        store(repeat(load(surface.uv[0] + first)), places.right + first);
+        store(1.0f - repeat(load(surface.uv[1] + first)), places.down + first);
         hn::Store(
-            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), levels.coarser_weight + first);
+            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), places.coarser_weight + first);
         blended |= bits_of_truth(rest > real(0.0f)) << first;
     }
     return blended & samples;
@@ -78,8 +82,8 @@ HWY_INLINE std::uint64_t find_levels(
 
 /// Finds the texels of the finer or the coarser levels.
 template <bool coarser>
-HWY_INLINE void find_texels(const Texture& texture, const BlockSurface& surface,
-    const BlockLevels& levels, std::uint64_t samples, BlockTexels::Level& texels)
+HWY_INLINE void find_texels(const Texture& texture, const BlockPlaces& places,
+    std::uint64_t samples, BlockTexels::Level& texels)
 {
     const real width(static_cast<float>(texture.width()));
     const real height(static_cast<float>(texture.height()));
@@ -87,10 +91,10 @@ HWY_INLINE void find_texels(const Texture& texture, const BlockSurface& surface,
     const IntegerTag d;
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         if (lane_bits(samples, first) == 0) continue;
-        const real right = repeat(load(surface.uv[0] + first));
-        const real down = 1.0f - repeat(load(surface.uv[1] + first));
-        real level = load(levels.finer + first);
-        integer weight(hn::Load(d, levels.coarser_weight + first));
+        const real right = load(places.right + first);
+        const real down = load(places.down + first);
+        real level = load(places.finer + first);
+        integer weight(hn::Load(d, places.coarser_weight + first));
         if (coarser)
             level = min(level + 1.0f, last);
         else
@@ -242,10 +246,10 @@ HWY_NOINLINE void sample_texture(const Texture& texture, const BlockSurface& sur
     std::uint64_t samples, float (&light)[3][kBlockSamples])
 {
     BlockTexels texels;
-    BlockLevels levels;
-    texels.blended = find_levels(texture, surface, samples, levels);
-    find_texels<false>(texture, surface, levels, samples, texels.finer);
-    find_texels<true>(texture, surface, levels, texels.blended, texels.coarser);
+    BlockPlaces places;
+    texels.blended = find_places(texture, surface, samples, places);
+    find_texels<false>(texture, places, samples, texels.finer);
+    find_texels<true>(texture, places, texels.blended, texels.coarser);
     weigh_texels(texture, texels, samples, light);
 }
 
