@@ -115,27 +115,32 @@ HWY_INLINE void find_texels(const Texture& texture, const BlockPlaces& places,
     }
 }
 
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
 
-/// Sums of weighted texels of one sample, while pairs are added.
+/// Sums of weighted texels of a register of samples, while pairs are added.
 class WeightedTexels {
   public:
     /// texel  the texture's
-    void add(const Texel* texel, const BlockTexels::Pairs& pairs, int sample)
+    void add(const Texel* texel, const BlockTexels::Pairs& pairs, int first)
     {
-        const Texel* const left = texel + pairs.left[sample];
-        for (std::size_t c = 0; c < 3; ++c)
-            sum_[c] += (pairs.weights[sample] & 0xFFFF) * left[0][c] +
-                       (pairs.weights[sample] >> 16) * left[1][c];
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const Texel* const left = texel + pairs.left[first + lane];
+            const std::int32_t weights = pairs.weights[first + lane];
+            for (std::size_t c = 0; c < 3; ++c)
+                sum_[c][lane] += (weights & 0xFFFF) * left[0][c] + (weights >> 16) * left[1][c];
+        }
     }
 
     real3 light() const
     {
-        return real3(texel_light(sum_[0]), texel_light(sum_[1]), texel_light(sum_[2]));
+        const auto channel = [&](int c) {
+            return texel_light(integer(hn::Load(IntegerTag(), sum_[c])));
+        };
+        return real3(channel(0), channel(1), channel(2));
     }
 
   private:
-    std::int32_t sum_[3] = {};
+    alignas(64) std::int32_t sum_[3][kLanes] = {};
 };
 
 #else
@@ -179,22 +184,6 @@ class WeightedTexels {
   private:
     using Sum = hn::Vec<IntegerTag>;
 
-    /// Of samples k, k + 4, ...
-    template <int k>
-    static HWY_INLINE Sum add_samples(
-        const Texel* texel, const std::int32_t* index, Sum weights, Sum sum)
-    {
-        const hn::ScalableTag<std::int16_t> d;
-        alignas(16) static constexpr std::uint8_t kSideBySide[] = {
-            0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15};
-        const hn::Repartition<std::uint8_t, decltype(d)> bytes;
-        const auto pairs = hn::TableLookupBytes(
-            load_pairs(texel, index + k), hn::BitCast(d, hn::LoadDup128(bytes, kSideBySide)));
-        Sum none = hn::Zero(IntegerTag()); // x86 leaves it so
-        return hn::ReorderWidenMulAccumulate(
-            IntegerTag(), pairs, hn::BitCast(d, hn::Broadcast<k>(weights)), sum, none);
-    }
-
     /// Two texels from each fourth index on.
     static HWY_INLINE auto load_pairs(const Texel* texel, const std::int32_t* index)
     {
@@ -210,6 +199,22 @@ class WeightedTexels {
 #else
         return pair(0);
 #endif
+    }
+
+    /// Of samples k, k + 4, ...
+    template <int k>
+    static HWY_INLINE Sum add_samples(
+        const Texel* texel, const std::int32_t* index, Sum weights, Sum sum)
+    {
+        const hn::ScalableTag<std::int16_t> d;
+        alignas(16) static constexpr std::uint8_t kSideBySide[] = {
+            0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15};
+        const hn::Repartition<std::uint8_t, decltype(d)> bytes;
+        const auto pairs = hn::TableLookupBytes(
+            load_pairs(texel, index + k), hn::BitCast(d, hn::LoadDup128(bytes, kSideBySide)));
+        Sum none = hn::Zero(IntegerTag()); // x86 leaves it so
+        return hn::ReorderWidenMulAccumulate(
+            IntegerTag(), pairs, hn::BitCast(d, hn::Broadcast<k>(weights)), sum, none);
     }
 
     Sum sum_[4];

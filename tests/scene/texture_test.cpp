@@ -32,8 +32,8 @@ Texels codes_of(const Texture& texture, int level = 0)
         for (int x = 0; x < texture.width(level); ++x) {
             const glm::vec4 color = texture.color(level, x, y);
             const auto alpha = static_cast<std::uint32_t>(std::lround(255 * color.a));
-            codes.push_back(srgb_from_linear(color.r) | srgb_from_linear(color.g) << 8 |
-                            srgb_from_linear(color.b) << 16 | alpha << 24);
+            const auto code = [&](float light) { return std::uint32_t(srgb_from_linear(light)); };
+            codes.push_back(code(color.r) | code(color.g) << 8 | code(color.b) << 16 | alpha << 24);
         }
     return codes;
 }

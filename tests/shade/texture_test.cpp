@@ -187,6 +187,20 @@ TEST(TextureSampling, MultipliesAmbientAndDiffuseButNotSpecular)
     EXPECT_EQ(at(memory.targets.albedo, 0, 0, 8), glm::vec3(0.25f, 0, 0.25f));
 }
 
+TEST(TextureSampling, OfWhiteIsExactlyWhiteAtEveryLevelAndPlace)
+{
+    TileScene tile(64, 60);
+    tile.scene.textures.emplace_back("white", Picture{64, 32, std::vector(64 * 32, 0xFFFFFFu)});
+    tile.material().texture = 0;
+    tile.material().diffuse = glm::vec3(1);
+    tile.add_square({-5000, -1, 0.5f}, {10000, 0, 0}, {0, 0, -10000}, 5000);
+    tile.cast();
+    ShadeMemory memory;
+    shade_tile(tile.hits, tile.world, {}, memory.targets);
+    for (int k = 0; k < 64 * 64; ++k)
+        if (tile.item[k] != kNoItem) EXPECT_EQ(memory.targets.albedo[1][k], 1);
+}
+
 TEST(TextureSampling, ThatIsEmptyOrMissingIsWhite)
 {
     for (const int number : {0, 5}) {
