@@ -198,7 +198,7 @@ TEST(TextureSampling, OfWhiteIsExactlyWhiteAtEveryLevelAndPlace)
     ShadeMemory memory;
     shade_tile(tile.hits, tile.world, {}, memory.targets);
     for (int k = 0; k < 64 * 64; ++k)
-        if (tile.item[k] != kNoItem) EXPECT_EQ(memory.targets.albedo[1][k], 1);
+        EXPECT_EQ(memory.targets.albedo[1][k], tile.item[k] == kNoItem ? 0 : 1);
 }
 
 TEST(TextureSampling, ThatIsEmptyOrMissingIsWhite)
