@@ -41,7 +41,7 @@ std::vector<std::uint64_t> masks_of_length(int samples)
 }
 
 /// A tile's worth of hits, which all tiles share; but each tile sees its own triangles.
-struct Picture {
+struct ShadedPicture {
     Scene scene;
     World world;
     std::vector<std::vector<HitRun>> runs;
@@ -49,17 +49,14 @@ struct Picture {
     alignas(64) float u[kTile * kTile];
     alignas(64) float v[kTile * kTile];
 
-    Picture(int samples_in_run, bool textured, int lights)
+    ShadedPicture(int samples_in_run, bool textured, int lights)
     {
         Material material;
         material.specular = glm::vec3(0.3f);
         material.shininess = 20;
         if (textured) {
-            Texture texture;
-            for (int size = 256; size > 0; size /= 2)
-                texture.levels.push_back({size, size,
-                    std::vector<std::uint32_t>(std::size_t(size * size), 0xFF8040C0u)});
-            scene.textures.push_back(texture);
+            scene.textures.emplace_back("one colour",
+                Picture{256, 256, std::vector<std::uint32_t>(256 * 256, 0xFF8040C0u)});
             material.texture = 0;
         }
         scene.materials.push_back(material);
@@ -110,7 +107,7 @@ struct Picture {
     }
 };
 
-void shade_picture(const Picture& picture, const LitTile& lit = {})
+void shade_picture(const ShadedPicture& picture, const LitTile& lit = {})
 {
     alignas(64) static float color[3][kTile * kTile];
     ShadeTargets targets;
@@ -125,7 +122,7 @@ void shade_picture(const Picture& picture, const LitTile& lit = {})
 
 void shade_a_million(benchmark::State& state)
 {
-    const Picture picture(int(state.range(0)), state.range(1) != 0, int(state.range(2)));
+    const ShadedPicture picture(int(state.range(0)), state.range(1) != 0, int(state.range(2)));
     for (auto _ : state) shade_picture(picture);
 }
 BENCHMARK(shade_a_million)
@@ -138,7 +135,7 @@ BENCHMARK(shade_a_million)
 /// samples; -1: without shadows.
 void shade_a_million_by(benchmark::State& state)
 {
-    Picture picture(6, false, 1);
+    ShadedPicture picture(6, false, 1);
     Light& light = picture.world.lights[0];
     light.kind = Light::Kind(state.range(0));
     light.outer_rad = 1.5;
@@ -162,7 +159,7 @@ void shade_a_million_on(benchmark::State& state)
     }
     const std::int64_t target = targets[std::size_t(state.range(0))];
     state.SetLabel(hwy::TargetName(target));
-    const Picture picture(6, state.range(1) != 0, 1);
+    const ShadedPicture picture(6, state.range(1) != 0, 1);
     hwy::GetChosenTarget().Update(target);
     for (auto _ : state) shade_picture(picture);
     hwy::GetChosenTarget().DeInit();

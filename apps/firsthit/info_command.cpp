@@ -41,7 +41,7 @@ std::uint64_t memory_of(const Scene& scene)
         for (const MorphKey& key : part.morph)
             sum += sizeof key + bytes(key.position) + bytes(key.normal);
     for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels) sum += sizeof level + bytes(level.texel);
+        sum += sizeof texture + texture.texels().size_bytes();
     return sum;
 }
 

@@ -1,6 +1,7 @@
 // scene.h - a scene as it was read, and the world it makes at one time.
 #pragma once
 
+#include <firsthit/texture.h>
 #include <firsthit/view.h>
 
 #include <glm/mat4x4.hpp>
@@ -20,19 +21,6 @@ namespace firsthit {
 
 /// No triangle. The value of an item where a ray meets nothing.
 inline constexpr std::uint32_t kNoItem = 0xFFFFFFFFu;
-
-/// A picture wrapped around triangles: RGBA, 8 bits, sRGB, row 0 at the top, repeated outside [0,
-/// 1]. levels[0] is the picture; each next level is half as wide and high (at least 1), averaged in
-/// linear light.
-struct Texture {
-    struct Level {
-        int width = 0;
-        int height = 0;
-        std::vector<std::uint32_t> texel; // height * width; red in the lowest byte
-    };
-    std::string name;
-    std::vector<Level> levels;
-};
 
 /// Phong's material. Colours are linear Rec.709 and may exceed 1.
 struct Material {

@@ -19,8 +19,9 @@ namespace {
 template <class F>
 void for_targets(const F& f)
 {
-    for (std::uint64_t rest = std::uint64_t(hwy::SupportedTargets() & HWY_TARGETS); rest;
-         rest &= rest - 1)
+    const std::int64_t supported = hwy::SupportedTargets();
+    hwy::GetChosenTarget().Update(supported); // asking alone chose from all, disabled ones too
+    for (std::uint64_t rest = std::uint64_t(supported & HWY_TARGETS); rest; rest &= rest - 1)
         f(std::int64_t(1) << std::countr_zero(rest));
 }
 

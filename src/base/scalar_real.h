@@ -45,6 +45,10 @@ FIRSTHIT_PURE integer shift_right_23(integer a)
 {
     return a >> 23;
 }
+FIRSTHIT_PURE integer shift_right_15(integer a)
+{
+    return a >> 15;
+}
 FIRSTHIT_PURE integer floatBitsToInt(real a)
 {
     return std::bit_cast<integer>(a);

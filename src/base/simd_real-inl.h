@@ -134,6 +134,10 @@ FIRSTHIT_PURE integer shift_right_23(integer a)
 {
     return integer(hn::ShiftRight<23>(a.lanes));
 }
+FIRSTHIT_PURE integer shift_right_15(integer a)
+{
+    return integer(hn::ShiftRight<15>(a.lanes));
+}
 FIRSTHIT_PURE integer floatBitsToInt(real a)
 {
     return integer(hn::BitCast(IntegerTag(), a.lanes));

@@ -1,7 +1,6 @@
 // material_buffers.cpp - materials and textures where shaders read them.
 #include "gl/material_buffers.h"
 
-#include "base/srgb.h"
 #include "gl/bindings.h"
 #include "gl/context.h"
 #include "shade/phong_exponent.h"
@@ -11,27 +10,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <limits>
+#include <cstddef>
+#include <cstring>
 #include <span>
 
 namespace firsthit::gl {
 namespace {
 
-/// As shade/sample_texture-inl.h asks of a level.
-bool can_sample(const Texture::Level& level)
-{
-    constexpr int kMaxSide = 1 << 22;
-    return level.width > 0 && level.height > 0 && level.width <= kMaxSide &&
-           level.height <= kMaxSide &&
-           std::int64_t(level.width) * level.height <= std::numeric_limits<std::int32_t>::max() &&
-           level.texel.size() >= std::size_t(level.width) * std::size_t(level.height);
-}
-
-std::size_t texels_of(const Texture::Level& level)
-{
-    return can_sample(level) ? std::size_t(level.width) * std::size_t(level.height) : 0;
-}
+constexpr std::size_t kTexelWords = sizeof(Texel) / sizeof(std::uint32_t);
 
 void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
 {
@@ -45,7 +31,7 @@ void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
             .whole_shininess = exponent.whole};
         const auto texture = std::size_t(material.texture);
         if (material.texture >= 0 && texture < scene.textures.size() &&
-            !scene.textures[texture].levels.empty())
+            scene.textures[texture].levels() > 0)
             data.texture = material.texture;
         all.push_back(data);
     }
@@ -55,34 +41,31 @@ void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
 void fill_tables(const Scene& scene, std::vector<std::uint32_t>& words)
 {
     words.clear();
-    for (const float light : linear_from_srgb())
-        words.push_back(std::bit_cast<std::uint32_t>(light));
-    std::size_t row = words.size() + 2 * scene.textures.size(), levels = 0;
+    std::size_t row = 4 * scene.textures.size(), levels = 0;
     for (const Texture& texture : scene.textures) {
-        words.push_back(std::uint32_t(row + 3 * levels));
-        words.push_back(std::uint32_t(texture.levels.size()));
-        levels += texture.levels.size();
+        words.push_back(std::uint32_t(row + levels));
+        words.push_back(std::uint32_t(texture.levels()));
+        words.push_back(std::uint32_t(texture.width()));
+        words.push_back(std::uint32_t(texture.height()));
+        levels += std::size_t(texture.levels());
     }
-    std::size_t texel = row + 3 * levels;
-    for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels) {
-            const std::size_t texels = texels_of(level);
-            words.push_back(std::uint32_t(texel));
-            words.push_back(texels > 0 ? std::uint32_t(level.width) : 0);
-            words.push_back(texels > 0 ? std::uint32_t(level.height) : 0);
-            texel += texels;
-        }
+    std::size_t texel = row + levels;
+    for (const Texture& texture : scene.textures) {
+        for (int l = 0; l < texture.levels(); ++l)
+            words.push_back(
+                std::uint32_t(texel + kTexelWords * std::size_t(texture.first()[std::size_t(l)])));
+        texel += kTexelWords * texture.texels().size();
+    }
 }
 
-/// Calls body(level, its first texel's place) for all levels of all textures.
+/// Calls body(its texels' bytes, their place among the words) for all textures.
 template <class Body>
-void for_levels(const Scene& scene, std::size_t first, const Body& body)
+void for_textures(const Scene& scene, std::size_t first, const Body& body)
 {
-    for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels) {
-            body(level, first);
-            first += texels_of(level);
-        }
+    for (const Texture& texture : scene.textures) {
+        body(std::as_bytes(texture.texels()), first);
+        first += kTexelWords * texture.texels().size();
+    }
 }
 
 } // namespace
@@ -98,24 +81,24 @@ void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
 
     fill_tables(scene, tables_);
     std::size_t size = tables_.size();
-    for_levels(
-        scene, 0, [&](const Texture::Level& level, std::size_t) { size += texels_of(level); });
+    for (const Texture& texture : scene.textures) size += kTexelWords * texture.texels().size();
     if (size * 4 > std::size_t(max_storage_bytes))
         throw DeviceError(
             fmt::format("OpenGL: the textures take {} bytes, one buffer may have {} ({})", size * 4,
                 max_storage_bytes, driver_name()));
     bool same = words_.size() == size && std::equal(tables_.begin(), tables_.end(), words_.begin());
     if (same)
-        for_levels(scene, tables_.size(), [&](const Texture::Level& level, std::size_t first) {
-            const auto* texel = level.texel.data();
-            same = same && std::equal(texel, texel + texels_of(level), words_.data() + first);
-        });
+        for_textures(
+            scene, tables_.size(), [&](std::span<const std::byte> texels, std::size_t first) {
+                same = same && (texels.empty() || std::memcmp(texels.data(), words_.data() + first,
+                                                      texels.size()) == 0);
+            });
     if (same) return;
 
     words_.resize(size);
     std::copy(tables_.begin(), tables_.end(), words_.begin());
-    for_levels(scene, tables_.size(), [&](const Texture::Level& level, std::size_t first) {
-        std::copy_n(level.texel.data(), texels_of(level), words_.data() + first);
+    for_textures(scene, tables_.size(), [&](std::span<const std::byte> texels, std::size_t first) {
+        if (!texels.empty()) std::memcpy(words_.data() + first, texels.data(), texels.size());
     });
     texture_words_.assign(std::span<const std::uint32_t>(words_));
     ++uploads_;

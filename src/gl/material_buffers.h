@@ -12,12 +12,12 @@
 
 namespace firsthit::gl {
 
-/// Uploaded when something of them is new, which is found out by comparing with a copy. All texels of all textures lie in one buffer of words:
+/// Uploaded when something of them is new, which is found out by comparing with a copy. All texels
+/// of all textures lie in one buffer of words:
 ///
-///     linear light of the 256 sRGB codes, floats
-///     (textures) where its levels' rows are, how many
-///     (levels)   where its texels are, width (0: cannot be sampled, white), height
-///     texels     RGBA, row by row
+///     (textures) where its levels are, how many, width and height of the first
+///     (levels)   where its texels are
+///     texels     Texture::texels(), two words each
 class MaterialBuffers {
   public:
     /// throws  DeviceError: more texels than `max_storage_bytes` hold, or no memory

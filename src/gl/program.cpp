@@ -23,6 +23,7 @@ constexpr std::string_view kWords = "#version 450 core\n"
                                     "#define integer int\n"
                                     "#define truth bool\n"
                                     "#define shift_left_23(a) ((a) << 23)\n"
+                                    "#define shift_right_15(a) ((a) >> 15)\n"
                                     "#define shift_right_23(a) ((a) >> 23)\n";
 
 std::string_view file_of(std::string_view name)

@@ -4,8 +4,8 @@
 // as C++ (base/scalar_real.h, base/simd_real-inl.h). Its functions are pure and never branch on a
 // value that differs between lanes.
 
-/// The integer nearest to x, which must be whole and |x| <= 2^22: its bits, shifted to the end of
-/// the mantissa by adding 1.5 * 2^23.
+/// The integer nearest to x, |x| <= 2^22, an even one for halves: its bits, shifted to the end of the
+/// mantissa by adding 1.5 * 2^23.
 FIRSTHIT_PURE integer whole_to_integer(real x)
 {
     return floatBitsToInt(x + 12582912.0f) - 0x4B400000;

@@ -49,37 +49,73 @@ FIRSTHIT_PURE real repeat(real s)
     return mix(real(0.0f), rest, rest > real(0.0f));
 }
 
-/// Four texels and their weights, in a level `width` wide.
+/// How wide or high a level is, of a texture that is `size` wide or high; both whole.
+FIRSTHIT_PURE real level_size(real size, real level)
+{
+    real share = intBitsToFloat(shift_left_23(integer(127) - whole_to_integer(level))); // 2^-level
+    return max(floor(size * share), 1.0f);
+}
+
+/// Four texels of a level that has a border of one texel around it, where it begins anew.
 struct Texels {
-    integer top_left, top_right, bottom_left, bottom_right; // index in the level, row by row
-    real right;  // weight of the right two, in [0, 1]
-    real bottom; // weight of the bottom two
+    integer top;    // index of the top left one, from the border's corner on; the right one is next
+    integer bottom; // index of the bottom left one
+    integer to_right;  // 0 to 32768: how far the sample is from the left two to the right two
+    integer to_bottom; // 0 to 32768
 };
 
-/// u to the right, v up: (0, 0) is the bottom left corner of the picture, whose rows go down.
-/// width, height  at most 2^22, and the texels at most 2^31 - 1
-FIRSTHIT_PURE Texels bilinear_texels(real u, real v, real width, real height)
+/// right         how far the sample is from the picture's left edge to its right one, 0 to 1
+/// down          from the top to the bottom edge
+/// width, height of the level without its border, at most 2^14; whole
+FIRSTHIT_PURE Texels bilinear_texels(real right, real down, real width, real height)
 {
-    // Texel centres are at +0.5. x and y are in [-0.5, size - 0.5].
-    real x = repeat(u) * width - 0.5f;
-    real y = (1.0f - repeat(v)) * height - 0.5f;
+    // Texel centres are at whole numbers, the border's at 0. x is in [0.5, width + 0.5].
+    real x = right * width + 0.5f;
+    real y = down * height + 0.5f;
     real x0 = floor(x);
     real y0 = floor(y);
-    real x1 = x0 + 1.0f;
-    real y1 = y0 + 1.0f;
-
-    integer left = whole_to_integer(mix(x0 + width, x0, x0 >= real(0.0f)));
-    integer right = whole_to_integer(mix(real(0.0f), x1, x1 < width));
-    integer row = whole_to_integer(width);
-    integer top = whole_to_integer(mix(y0 + height, y0, y0 >= real(0.0f))) * row;
-    integer bottom = whole_to_integer(mix(real(0.0f), y1, y1 < height)) * row;
+    integer row = whole_to_integer(width + 2.0f);
 
     Texels texels;
-    texels.top_left = top + left;
-    texels.top_right = top + right;
-    texels.bottom_left = bottom + left;
-    texels.bottom_right = bottom + right;
-    texels.right = x - x0;
-    texels.bottom = y - y0;
+    texels.top = whole_to_integer(y0) * row + whole_to_integer(x0);
+    texels.bottom = texels.top + row;
+    texels.to_right = whole_to_integer((x - x0) * 32768.0f);
+    texels.to_bottom = whole_to_integer((y - y0) * 32768.0f);
     return texels;
+}
+
+/// What the weights of all texels of a sample sum up to. Weights are whole, so that sums of products
+/// with whole texels are the same in any order, and no weight is lost where they are rounded.
+FIRSTHIT_PURE integer whole_weight()
+{
+    return integer(32767);
+}
+
+/// The weights of four texels. Their sum is that of all four, none is negative.
+struct TexelWeights {
+    integer top_left, top_right, bottom_left, bottom_right;
+};
+
+/// part of 32768, rounded
+FIRSTHIT_PURE integer share_of(integer all, integer part)
+{
+    return shift_right_15(all * part + 16384);
+}
+
+FIRSTHIT_PURE TexelWeights texel_weights(Texels texels, integer all)
+{
+    integer bottom = share_of(all, texels.to_bottom);
+    integer top = all - bottom;
+    TexelWeights weights;
+    weights.top_right = share_of(top, texels.to_right);
+    weights.top_left = top - weights.top_right;
+    weights.bottom_right = share_of(bottom, texels.to_right);
+    weights.bottom_left = bottom - weights.bottom_right;
+    return weights;
+}
+
+/// The colour from the sum of weighted texels, which are -32768 where it is 1.
+FIRSTHIT_PURE real texel_light(integer sum)
+{
+    return real(sum) * (-1.0f / (32768.0f * 32767.0f));
 }

@@ -137,12 +137,6 @@ void check_materials(const Scene& scene)
             !std::isfinite(material.ior))
             fail(scene, what + " is not finite");
     }
-    for (const Texture& texture : scene.textures)
-        for (const Texture::Level& level : texture.levels)
-            if (level.width < 1 || level.height < 1 ||
-                level.texel.size() != std::size_t(level.width) * std::size_t(level.height))
-                fail(scene, fmt::format("texture '{}': {} texels for {} x {}", texture.name,
-                                level.texel.size(), level.width, level.height));
 }
 
 void check_lights(const Scene& scene)

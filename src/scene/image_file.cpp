@@ -2,7 +2,6 @@
 #include "scene/image_file.h"
 
 #include "scene/jpeg_check.h"
-#include "scene/mip_levels.h"
 #include "scene/pnm.h"
 #include "scene/whole_file.h"
 
@@ -43,7 +42,7 @@ void check_png_chunks(const std::string& name, std::span<const char> bytes)
 }
 
 /// PNG and JPEG.
-Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
+Picture decode_stb(const std::string& name, std::span<const char> bytes)
 {
     const auto fail = [&] {
         const char* reason = stbi_failure_reason();
@@ -68,25 +67,21 @@ Texture::Level decode_stb(const std::string& name, std::span<const char> bytes)
     const std::unique_ptr<stbi_uc, void (*)(void*)> rgba(
         stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
     if (!rgba) fail();
-    Texture::Level level{width, height, {}};
-    level.texel.resize(std::size_t(width) * std::size_t(height));
-    for (std::size_t k = 0; k < level.texel.size(); ++k)
-        level.texel[k] = std::uint32_t(rgba.get()[4 * k]) |
-                         (std::uint32_t(rgba.get()[4 * k + 1]) << 8) |
-                         (std::uint32_t(rgba.get()[4 * k + 2]) << 16) |
-                         (std::uint32_t(rgba.get()[4 * k + 3]) << 24);
-    return level;
+    Picture picture{width, height, {}};
+    picture.pixel.resize(std::size_t(width) * std::size_t(height));
+    for (std::size_t k = 0; k < picture.pixel.size(); ++k)
+        picture.pixel[k] = std::uint32_t(rgba.get()[4 * k]) |
+                           (std::uint32_t(rgba.get()[4 * k + 1]) << 8) |
+                           (std::uint32_t(rgba.get()[4 * k + 2]) << 16) |
+                           (std::uint32_t(rgba.get()[4 * k + 3]) << 24);
+    return picture;
 }
 
 } // namespace
 
 Texture decode_texture(const std::string& name, std::span<const char> bytes)
 {
-    Texture texture;
-    texture.name = name;
-    texture.levels.push_back(is_pnm(bytes) ? decode_pnm(name, bytes) : decode_stb(name, bytes));
-    make_mip_levels(texture);
-    return texture;
+    return Texture(name, is_pnm(bytes) ? decode_pnm(name, bytes) : decode_stb(name, bytes));
 }
 
 Texture read_texture(const std::filesystem::path& path)

@@ -1,7 +1,7 @@
 // image_file.h - reads pictures that are wrapped around triangles.
 #pragma once
 
-#include <firsthit/scene.h>
+#include <firsthit/texture.h>
 
 #include <filesystem>
 #include <span>

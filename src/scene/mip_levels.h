@@ -1,13 +1,24 @@
-// mip_levels.h - the smaller copies of a texture.
+// mip_levels.h - the smaller copies of a picture.
 #pragma once
 
-#include <firsthit/scene.h>
+#include <firsthit/texture.h>
+
+#include <glm/vec4.hpp>
+
+#include <vector>
 
 namespace firsthit {
 
-/// Replaces all levels but the first, which must not be empty, by averages down to 1 x 1. Each
-/// level is half the one before, rounded down, at least 1; texels that straddle two smaller ones
-/// count for both by their share. Colours are averaged in linear light, alpha as it is.
-void make_mip_levels(Texture& texture);
+/// Linear red, green, blue, and alpha, 0 to 1; (height, width), top row first.
+struct LinearPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec4> pixel;
+};
+
+/// Half as wide and high, rounded down, at least 1; pixels that straddle two smaller ones count for
+/// both by their share. Colours are averaged in linear light, alpha as it is. Must not be empty.
+LinearPicture half_of(const Picture& picture);
+LinearPicture half_of(const LinearPicture& picture);
 
 } // namespace firsthit

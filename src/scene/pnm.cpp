@@ -12,8 +12,8 @@
 namespace firsthit {
 namespace {
 
-constexpr long long kMaxSide = 16384;
-constexpr long long kMaxTexels = 1 << 26; // 256 MiB
+constexpr long long kMaxSide = Texture::kMaxSide;
+constexpr long long kMaxTexels = Texture::kMaxTexels;
 
 /// Reads the numbers of the header, between which white space and comments stand.
 class Header {
@@ -71,7 +71,7 @@ void check_picture_size(const std::string& name, long long width, long long heig
             name, width, height, kMaxSide, kMaxTexels));
 }
 
-Texture::Level decode_pnm(const std::string& name, std::span<const char> bytes)
+Picture decode_pnm(const std::string& name, std::span<const char> bytes)
 {
     Header header(name, bytes);
     const long long width = header.number("width");
@@ -99,15 +99,15 @@ Texture::Level decode_pnm(const std::string& name, std::span<const char> bytes)
         const auto top = static_cast<std::uint32_t>(maximum);
         return top == 255 ? raw : (std::min(raw, top) * 255 + top / 2) / top;
     };
-    Texture::Level level{static_cast<int>(width), static_cast<int>(height), {}};
-    level.texel.resize(texels);
+    Picture picture{static_cast<int>(width), static_cast<int>(height), {}};
+    picture.pixel.resize(texels);
     for (std::size_t k = 0; k < texels; ++k) {
         const std::uint32_t red = value(channels * k);
         const std::uint32_t green = channels == 3 ? value(3 * k + 1) : red;
         const std::uint32_t blue = channels == 3 ? value(3 * k + 2) : red;
-        level.texel[k] = red | (green << 8) | (blue << 16) | 0xFF000000u;
+        picture.pixel[k] = red | (green << 8) | (blue << 16) | 0xFF000000u;
     }
-    return level;
+    return picture;
 }
 
 } // namespace firsthit

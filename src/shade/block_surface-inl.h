@@ -96,8 +96,8 @@ HWY_INLINE void spread_uv(const Interpolated<glm::vec2>& uv, const RunGradients&
         store_where(chosen, all, real(uv.at0.x) + tex_u, surface.uv[0] + first);
         store_where(chosen, all, real(uv.at0.y) + tex_v, surface.uv[1] + first);
         if (!texture) return;
-        const real2 size(static_cast<float>(texture->levels[0].width),
-            static_cast<float>(texture->levels[0].height));
+        const real2 size(
+            static_cast<float>(texture->width()), static_cast<float>(texture->height()));
         store_where(chosen, all,
             footprint2(tex_u, tex_v, load(hits.t + at + first), from_glm(gradients.u),
                 from_glm(gradients.v), from_glm(gradients.one), size),

@@ -25,7 +25,6 @@ struct TileShade {
     const ShadeLights& lights;
     const LitTile& lit;
     const ShadeTargets& targets;
-    const ByteTable& linear; // light of the 256 sRGB codes
 };
 
 namespace wide {
@@ -136,21 +135,6 @@ struct ShadeGroup {
     bool planes;           // all targets are written, and the surface is complete
 };
 
-/// The texture's light at the group's samples.
-HWY_INLINE void sample_block(const Texture& texture, const BlockSurface& surface,
-    std::uint64_t samples, const ByteTable& linear, float (&light)[3][kBlockSamples])
-{
-    for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const std::uint64_t bits = lane_bits(samples, first);
-        if (bits == 0) continue;
-        const real3 color = sample_texture(texture, load(surface.uv[0] + first),
-            load(surface.uv[1] + first), load(surface.footprint2 + first), bits, linear);
-        store(color.x, light[0] + first);
-        store(color.y, light[1] + first);
-        store(color.z, light[2] + first);
-    }
-}
-
 /// Writes all targets for the group's samples.
 HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, BlockSurface& surface)
 {
@@ -164,7 +148,7 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
     const real3 right = both(rays.right), down = both(rays.down), forward = both(rays.forward);
     bool has_geometric = group.planes;
     alignas(64) float texture_light[3][kBlockSamples];
-    if (texture) sample_block(*texture, surface, group.samples, tile.linear, texture_light);
+    if (texture) sample_texture(*texture, surface, group.samples, texture_light);
 
     for (int first = 0; first < kBlockSamples; first += wide::kLanes) {
         const std::uint64_t bits = wide::lane_bits(group.samples, first);

@@ -46,7 +46,7 @@ inline const Texture* texture_of(const Scene& scene, const Material& material)
     if (material.texture < 0 || std::size_t(material.texture) >= scene.textures.size())
         return nullptr;
     const Texture& texture = scene.textures[std::size_t(material.texture)];
-    return texture.levels.empty() ? nullptr : &texture;
+    return texture.levels() == 0 ? nullptr : &texture;
 }
 
 /// The triangle's plane as the eye sees it, the same for all samples. In double, so that neither tiny

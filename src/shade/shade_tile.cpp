@@ -1,7 +1,6 @@
 // shade_tile.cpp - what colour is it? Block by block: spread the runs, then light each material.
 #include "shade/shade_tile.h"
 
-#include "base/srgb.h"
 #include "hits/known_run.h"
 #include "shade/run_setup.h"
 #include "shade/shade_light.h"
@@ -73,8 +72,10 @@ class RunPrefetch {
     HWY_INLINE void advance(std::size_t run)
     {
         for (const std::size_t end = std::min(run + 2 * kAhead, runs_.size()); index_ < end;
-             ++index_)
+             ++index_) {
             hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
+            hwy::Prefetch(&arrays_.scene->owner[runs_[index_].item]);
+        }
         for (const std::size_t end = std::min(run + kAhead, runs_.size()); corner_ < end;
              ++corner_) {
             const HitRun& next = runs_[corner_];
@@ -83,6 +84,7 @@ class RunPrefetch {
             for (int k = 0; k < 3; ++k) {
                 if (with_position) hwy::Prefetch(&arrays_.position[corner[k]]);
                 hwy::Prefetch(&arrays_.normal[corner[k]]);
+                if (arrays_.uv) hwy::Prefetch(&arrays_.uv[corner[k]]);
             }
         }
     }
@@ -158,10 +160,9 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
 
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
-    static const ByteTable linear(linear_from_srgb());
     const ShadeLights lights(world.lights);
     const ShadeArrays arrays = shade_arrays(world);
-    const TileShade tile{hits, world, arrays, lights, lit, targets, linear};
+    const TileShade tile{hits, world, arrays, lights, lit, targets};
     const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
                         targets.position[0] || targets.albedo[0];
     fill_background(hits, world.scene->background, targets);

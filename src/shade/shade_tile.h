@@ -35,8 +35,7 @@ struct ShadeTargets {
 /// exponent below 0 counts as 0.
 ///
 /// hits     runs in any order of blocks; fastest where those of a block lie side by side
-/// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels, and a
-///          level without its texels, with a side above 2^22 or 2^31 texels or more, is white
+/// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels is white
 ///          sound lights (scene/check_light.h)
 /// limits   a light farther than 1e19 is not seen: the square of its distance is no float
 ///

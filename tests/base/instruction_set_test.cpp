@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 
@@ -40,6 +41,18 @@ TEST_F(InstructionSet, IsAnyThatIsNamedAndThatThisMachineHas)
         EXPECT_EXIT(
             choose(name), testing::ExitedWithCode(0), "chosen: " + std::string(name) + "\\.");
     }
+}
+
+TEST_F(InstructionSet, StaysAfterItWasAskedFor)
+{
+    const auto ask = [] {
+        setenv("FIRSTHIT_ISA", "SCALAR", 1);
+        select_instruction_set();
+        const std::size_t chosen = hwy::GetChosenTarget().GetIndex();
+        chosen_instruction_set();
+        std::exit(hwy::GetChosenTarget().GetIndex() == chosen ? 0 : 1);
+    };
+    EXPECT_EXIT(ask(), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(InstructionSet, ThatIsUnknownIsAnErrorThatListsTheOthers)

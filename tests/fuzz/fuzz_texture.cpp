@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const firsthit::Texture texture =
             firsthit::decode_texture("picture", {reinterpret_cast<const char*>(data), size});
-        for (const firsthit::Texture::Level& level : texture.levels)
-            if (level.texel.size() != std::size_t(level.width) * std::size_t(level.height))
-                std::abort();
+        const int last = texture.levels() - 1;
+        if (texture.width(last) != 1 || texture.height(last) != 1) std::abort();
+        texture.color(last, 0, 0);
     } catch (const firsthit::FileError&) {
     }
     return 0;

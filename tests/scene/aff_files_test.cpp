@@ -1,4 +1,6 @@
 // aff_files_test.cpp - AFF scenes and their textures on the disk.
+#include "base/srgb.h"
+
 #include "message_of.h"
 #include "scene/aff_text.h"
 #include "temporary_folder.h"
@@ -36,8 +38,8 @@ TEST(AffFiles, FindTexturesBesideTheSceneOrInTheFolderOfTextures)
     const Scene scene = read_aff(main, {});
     EXPECT_TRUE(scene.warnings.empty());
     ASSERT_EQ(scene.textures.size(), 2u);
-    EXPECT_EQ(scene.textures[1].name, "b.ppm");
-    EXPECT_EQ(scene.textures[1].levels[0].texel[0], 0xFF302010u);
+    EXPECT_EQ(scene.textures[1].name(), "b.ppm");
+    EXPECT_NEAR(scene.textures[1].color(0, 0, 0).b, linear_from_srgb()[0x30], 2e-5);
 }
 
 TEST(AffFiles, WarnOfMissingAndDamagedTextures)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace firsthit {
 namespace {
 
@@ -36,7 +38,7 @@ TEST(AffShapes, WearTextures)
     const Scene scene = scene_of("tt red.ppm 0 0 0 .1 .2 1 0 0 .3 .4 0 1 0 .5 .6\n"
                                  "ttp red.ppm 0 0 0 1 0 0 .1 .2 1 0 0 1 0 0 .3 .4 0 1 0 1 0 0 7 8");
     ASSERT_EQ(scene.textures.size(), 1u);
-    EXPECT_EQ(scene.textures[0].name, "red.ppm");
+    EXPECT_EQ(scene.textures[0].name(), "red.ppm");
     EXPECT_EQ(scene.materials[0].texture, 0);
     EXPECT_EQ(scene.parts.size(), 1u);
     ASSERT_EQ(scene.uv.size(), 6u);
@@ -49,11 +51,12 @@ TEST(AffShapes, WearTextures)
 TEST(AffShapes, WearPicturesWhoseFirstRowIsAtTheBottom)
 {
     const AffFiles files = {.include_text = {}, .texture = [](const std::string& name) {
-                                return Texture{name, {{2, 3, {1, 2, 3, 4, 5, 6}}, {1, 1, {7}}}};
+                                const Picture levels[] = {{2, 3, {1, 2, 3, 4, 5, 6}}, {1, 1, {7}}};
+                                return Texture(name, levels);
                             }};
     const Scene scene = parse_aff("main.aff", "tt a 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1", files, {});
-    EXPECT_EQ(scene.textures[0].levels[0].texel, (std::vector<std::uint32_t>{5, 6, 3, 4, 1, 2}));
-    EXPECT_EQ(scene.textures[0].levels[1].texel, std::vector<std::uint32_t>{7});
+    const Picture levels[] = {{2, 3, {5, 6, 3, 4, 1, 2}}, {1, 1, {7}}};
+    EXPECT_TRUE(std::ranges::equal(scene.textures[0].texels(), Texture("b", levels).texels()));
     EXPECT_EQ(scene.uv[2], glm::vec2(0, 1));
 }
 

@@ -26,7 +26,7 @@ inline Scene scene_of(const std::string& text, const std::map<std::string, std::
         .texture =
             [](const std::string& name) {
                 if (name != "red.ppm") throw FileError(name + ": no such file");
-                return Texture{name, {{1, 1, {0xFF0000FFu}}}};
+                return Texture(name, Picture{1, 1, {0xFF0000FFu}});
             }};
     return parse_aff("main.aff", text, access, settings);
 }

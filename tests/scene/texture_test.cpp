@@ -1,7 +1,6 @@
 // texture_test.cpp - pictures as textures and their smaller levels.
 #include "base/srgb.h"
 #include "scene/image_file.h"
-#include "scene/mip_levels.h"
 
 #include "message_of.h"
 #include "temporary_folder.h"
@@ -10,9 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace firsthit {
@@ -21,20 +22,31 @@ namespace {
 constexpr std::uint32_t kBlack = 0xFF000000u;
 constexpr std::uint32_t kWhite = 0xFFFFFFFFu;
 
-Texture texture_of(int width, int height, std::vector<std::uint32_t> texels)
-{
-    Texture texture;
-    texture.levels.push_back({width, height, std::move(texels)});
-    make_mip_levels(texture);
-    return texture;
-}
-
-std::vector<std::uint32_t> texels_of(const std::string& bytes)
-{
-    return decode_texture("t", bytes).levels[0].texel;
-}
-
 using Texels = std::vector<std::uint32_t>;
+
+/// The sRGB codes of a level.
+Texels codes_of(const Texture& texture, int level = 0)
+{
+    Texels codes;
+    for (int y = 0; y < texture.height(level); ++y)
+        for (int x = 0; x < texture.width(level); ++x) {
+            const glm::vec4 color = texture.color(level, x, y);
+            const auto alpha = static_cast<std::uint32_t>(std::lround(255 * color.a));
+            const auto code = [&](float light) { return std::uint32_t(srgb_from_linear(light)); };
+            codes.push_back(code(color.r) | code(color.g) << 8 | code(color.b) << 16 | alpha << 24);
+        }
+    return codes;
+}
+
+Texture texture_of(int width, int height, Texels texels)
+{
+    return Texture("t", Picture{width, height, std::move(texels)});
+}
+
+Texels texels_of(const std::string& bytes)
+{
+    return codes_of(decode_texture("t", bytes));
+}
 
 // A 2 x 2 PNG, 8 bits, red, green, blue and half transparent white, made with zlib.
 const std::string kPng(
@@ -99,8 +111,8 @@ TEST(Texture, ReadsFromTheDiskUnderItsName)
     const TemporaryFolder folder;
     const auto path = folder.write("a.png", kPng);
     const Texture texture = read_texture(path);
-    EXPECT_EQ(texture.name, path.string());
-    EXPECT_EQ(texture.levels.size(), 2u);
+    EXPECT_EQ(texture.name(), path.string());
+    EXPECT_EQ(texture.levels(), 2);
 }
 
 void expect_refused(const std::string& bytes, const std::string& message)
@@ -152,40 +164,83 @@ TEST(Texture, RefusesPicturesThatAreTooLargeBeforeTheyTakeMemory)
     EXPECT_THROW(decode_texture("t", png), FileError);
 }
 
+void expect_misfit(const std::vector<Picture>& levels, const std::string& message)
+{
+    EXPECT_EQ(message_of<ArgumentError>([&] { Texture("t", levels); }), "texture 't': " + message);
+}
+
+TEST(Texture, RefusesLevelsThatDoNotFit)
+{
+    expect_misfit({}, "there is no picture");
+    expect_misfit(
+        {{0, 1, {}}}, "0 x 1 texels, 1 to 16384 on a side and at most 67108864 are accepted");
+    expect_misfit({{1 << 14, 1 << 13, {}}},
+        "16384 x 8192 texels, 1 to 16384 on a side and at most 67108864 are accepted");
+    expect_misfit({{2, 2, {1, 2, 3}}}, "level 0 has 3 pixels for 2 x 2");
+    expect_misfit({{2, 2, Texels(4)}, {2, 1, Texels(2)}}, "level 1 is 2 x 1 instead of 1 x 1");
+    expect_misfit({{1, 1, Texels(1)}, {1, 1, Texels(1)}},
+        "2 levels, of which level 0 is the last that can be");
+}
+
+TEST(Texture, BeginsAnewAroundEachLevel)
+{
+    const Texture texture = texture_of(2, 1, {kBlack, kWhite});
+    const Texel black{0, 0, 0, -32768}, white{-32768, -32768, -32768, -32768};
+    const std::vector<Texel> row = {white, black, white, black};
+    for (std::size_t y = 0; y < 3; ++y)
+        EXPECT_TRUE(std::ranges::equal(texture.texels().subspan(4 * y, 4), row)) << y;
+    ASSERT_EQ(texture.texels().size(), 12u + 9u);
+    EXPECT_EQ(texture.first()[1], 12);
+    EXPECT_EQ(texture.texels()[12], texture.texels()[20]);
+}
+
+TEST(Texture, KeepsEveryCodeApart)
+{
+    Texels codes;
+    for (std::uint32_t code = 0; code < 256; ++code) codes.push_back(code * 0x1010101u);
+    EXPECT_EQ(codes_of(texture_of(16, 16, codes)), codes);
+}
+
+TEST(Texture, TurnsUpsideDownWithItsBorder)
+{
+    Texture texture = texture_of(2, 3, {1, 2, 3, 4, 5, 6});
+    texture.turn_upside_down();
+    const Texture turned = texture_of(2, 3, {5, 6, 3, 4, 1, 2});
+    EXPECT_TRUE(std::ranges::equal(texture.texels(), turned.texels()));
+}
+
 TEST(MipLevels, HalveDownToOneTexel)
 {
     const Texture texture = texture_of(8, 3, Texels(24, kWhite));
-    ASSERT_EQ(texture.levels.size(), 4u);
+    ASSERT_EQ(texture.levels(), 4);
     const int sizes[4][2] = {{8, 3}, {4, 1}, {2, 1}, {1, 1}};
-    for (std::size_t k = 0; k < 4; ++k) {
-        EXPECT_EQ(texture.levels[k].width, sizes[k][0]);
-        EXPECT_EQ(texture.levels[k].height, sizes[k][1]);
-        for (const std::uint32_t t : texture.levels[k].texel) EXPECT_EQ(t, kWhite);
+    for (int k = 0; k < 4; ++k) {
+        EXPECT_EQ(texture.width(k), sizes[k][0]);
+        EXPECT_EQ(texture.height(k), sizes[k][1]);
     }
+    for (const Texel& t : texture.texels()) EXPECT_EQ(t, (Texel{-32768, -32768, -32768, -32768}));
 }
 
 TEST(MipLevels, AverageInLinearLight)
 {
-    // Half the light of white is 188 in sRGB, not 128.
-    EXPECT_EQ(texture_of(2, 1, {kBlack, kWhite}).levels[1].texel, Texels{0xFFBCBCBCu});
-    EXPECT_EQ(texture_of(1, 2, {kBlack, kWhite}).levels[1].texel, Texels{0xFFBCBCBCu});
+    const glm::vec4 grey(0.5f, 0.5f, 0.5f, 1.0f);
+    EXPECT_EQ(texture_of(2, 1, {kBlack, kWhite}).color(1, 0, 0), grey);
+    EXPECT_EQ(texture_of(1, 2, {kBlack, kWhite}).color(1, 0, 0), grey);
 }
 
 TEST(MipLevels, AverageAlphaAsItIs)
 {
-    EXPECT_EQ(texture_of(2, 1, {0x00FFFFFFu, kWhite}).levels[1].texel, Texels{0x80FFFFFFu});
+    EXPECT_EQ(texture_of(2, 1, {0x00FFFFFFu, kWhite}).color(1, 0, 0), glm::vec4(1, 1, 1, 0.5f));
 }
 
 TEST(MipLevels, ShareTexelsOfOddSizesByTheirAreas)
 {
     // 5 wide: each of two covers 2.5 texels, the third one half each.
     const Texture texture = texture_of(5, 1, {kBlack, kBlack, kWhite, kWhite, kWhite});
-    ASSERT_EQ(texture.levels[1].width, 2);
-    const auto grey = [](double light) {
-        return 0xFF000000u | 0x010101u * srgb_from_linear(static_cast<float>(light));
-    };
-    EXPECT_EQ(texture.levels[1].texel, (Texels{grey(0.5 / 2.5), kWhite}));
-    EXPECT_EQ(texture.levels[2].texel, Texels{grey(3.0 / 5)}) << "the mean of all";
+    ASSERT_EQ(texture.width(1), 2);
+    EXPECT_NEAR(texture.color(1, 0, 0).r, 0.5 / 2.5, 2e-5);
+    EXPECT_EQ(texture.color(1, 1, 0).r, 1);
+    EXPECT_NEAR(texture.color(2, 0, 0).r, 3.0 / 5, 2e-5) << "the mean of all";
 }
 
 TEST(MipLevels, KeepTheMeanOfAnySize)
@@ -199,8 +254,8 @@ TEST(MipLevels, KeepTheMeanOfAnySize)
                 texels.push_back(kBlack | value);
                 light += double(linear_from_srgb()[value]) / (width * height);
             }
-            const std::uint32_t last = texture_of(width, height, texels).levels.back().texel[0];
-            EXPECT_NEAR(last & 255, srgb_from_linear(static_cast<float>(light)), 1);
+            const Texture texture = texture_of(width, height, texels);
+            EXPECT_NEAR(texture.color(texture.levels() - 1, 0, 0).r, light, 3e-5);
         }
 }
 

@@ -25,7 +25,8 @@ std::string shader()
            "#define FIRSTHIT_PURE\n"
            "#define real float\n#define real2 vec2\n#define real3 vec3\n"
            "#define integer int\n#define truth bool\n"
-           "#define shift_left_23(a) ((a) << 23)\n#define shift_right_23(a) ((a) >> 23)\n" +
+           "#define shift_left_23(a) ((a) << 23)\n#define shift_right_23(a) ((a) >> 23)\n"
+           "#define shift_right_15(a) ((a) >> 15)\n" +
            text_of("hit_position.glsl") + text_of("spot_cone.glsl") + text_of("power.glsl") +
            text_of("phong.glsl") + text_of("texture.glsl") + text_of("shadow_map.glsl") + R"(
 layout(location = 0) out vec4 color;
@@ -38,12 +39,13 @@ void main()
     float cosine = lit_cosine(n, vec3(0, 1, 0));
     float glint = highlight(n, unit(-d), vec3(0, 1, 0), cosine, -1, 7.5)
         + highlight(n, unit(-d), vec3(0, 1, 0), cosine, 4, 4.0);
-    Texels texels = bilinear_texels(p.x, p.y, 64.0, 32.0);
+    Texels texels = bilinear_texels(repeat(p.x), 1.0 - p.y, 64.0, level_size(32.0, p.z));
+    TexelWeights weights = texel_weights(texels, whole_weight());
     float level = mip_level(footprint2(p.x, p.y, 3.0, vec2(1), vec2(2), vec2(3), vec2(64)), 5.0);
     if (is_shadowed(p.y, p.z, texel_epsilon(p.z, 1.5, 0.01))) cosine = 0.0;
     vec3 lit = reflected(vec3(1), vec3(0.5), cosine, vec3(0.5), glint)
         * cone_share(versine(vec3(0, -1, 0), p), 0.5, 3.0);
-    color = vec4(blend3(lit, p, blend(texels.right, texels.bottom, level)), texels.top_left);
+    color = vec4(lit * level, texel_light(weights.top_left * texels.top));
 }
 )";
 }

@@ -1,10 +1,11 @@
 // noise_texture.h - a texture on which every wrong texel shows.
 #pragma once
 
-#include <firsthit/scene.h>
+#include <firsthit/texture.h>
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 namespace firsthit {
 
@@ -12,13 +13,13 @@ namespace firsthit {
 inline Texture noise_texture(int width, int height, unsigned seed = 1)
 {
     std::mt19937 random(seed);
-    Texture texture;
+    std::vector<Picture> levels;
     for (;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
-        Texture::Level level{width, height, {}};
+        Picture level{width, height, {}};
         for (int k = 0; k < width * height; ++k)
-            level.texel.push_back(static_cast<std::uint32_t>(random()));
-        texture.levels.push_back(level);
-        if (width == 1 && height == 1) return texture;
+            level.pixel.push_back(static_cast<std::uint32_t>(random()));
+        levels.push_back(level);
+        if (width == 1 && height == 1) return Texture("noise", levels);
     }
 }
 

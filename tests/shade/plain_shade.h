@@ -1,7 +1,6 @@
 // plain_shade.h - shading one sample after the other, from the same text: what kernels must equal.
 #pragma once
 
-#include "base/srgb.h"
 #include "exact/shadow_ray.h"
 #include "hits/hit_position.h"
 #include "hits/known_run.h"
@@ -9,6 +8,8 @@
 #include "shade/phong_exponent.h"
 #include "shade/run_setup.h"
 #include "shade/shade_tile.h"
+
+#include <array>
 
 namespace firsthit {
 namespace scalar {
@@ -22,30 +23,33 @@ inline real2 from_glm(const glm::vec2& v)
     return {v.x, v.y};
 }
 
-inline real3 texel_color(std::uint32_t rgba)
+/// Adds the weighted texels of a level, 0 to -32768.
+inline void add_level(
+    const Texture& texture, int level, real u, real v, integer weight, std::array<integer, 3>& sum)
 {
-    const float* linear = linear_from_srgb().data();
-    return {linear[rgba & 255], linear[rgba >> 8 & 255], linear[rgba >> 16 & 255]};
-}
-
-inline real3 sample_level(const Texture::Level& level, real u, real v)
-{
-    const Texels texels =
-        bilinear_texels(u, v, static_cast<float>(level.width), static_cast<float>(level.height));
-    const auto color = [&](integer i) { return texel_color(level.texel[std::size_t(i)]); };
-    return blend3(blend3(color(texels.top_left), color(texels.top_right), texels.right),
-        blend3(color(texels.bottom_left), color(texels.bottom_right), texels.right), texels.bottom);
+    const int width = texture.width(level), height = texture.height(level);
+    const Texels at = bilinear_texels(
+        repeat(u), 1.0f - repeat(v), static_cast<float>(width), static_cast<float>(height));
+    const TexelWeights weights = texel_weights(at, weight);
+    const auto row = texture.texels().subspan(std::size_t(texture.first()[std::size_t(level)]));
+    const auto add = [&](integer index, integer share) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += share * row[std::size_t(index)][c];
+    };
+    add(at.top, weights.top_left);
+    add(at.top + 1, weights.top_right);
+    add(at.bottom, weights.bottom_left);
+    add(at.bottom + 1, weights.bottom_right);
 }
 
 inline real3 sample_texture(const Texture& texture, real u, real v, real length2)
 {
-    const real level = mip_level(length2, static_cast<float>(texture.levels.size() - 1));
+    const real level = mip_level(length2, static_cast<float>(texture.levels() - 1));
     const real finer = floor(level);
-    const std::size_t i = static_cast<std::size_t>(finer);
-    const real3 fine = sample_level(texture.levels[i], u, v);
-    // Black counts for nothing where amount is 0.
-    const real3 coarse = level > finer ? sample_level(texture.levels[i + 1], u, v) : real3(0, 0, 0);
-    return blend3(fine, coarse, level - finer);
+    const integer coarse = whole_to_integer((level - finer) * 32767.0f);
+    std::array<integer, 3> sum{};
+    add_level(texture, static_cast<int>(finer), u, v, whole_weight() - coarse, sum);
+    if (coarse > 0) add_level(texture, static_cast<int>(finer) + 1, u, v, coarse, sum);
+    return {texel_light(sum[0]), texel_light(sum[1]), texel_light(sum[2])};
 }
 
 inline void shade_sample(const HitTile& hits, const World& world, const LitTile& lit,
@@ -82,8 +86,8 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
 
     real3 color_of_texture(1, 1, 1);
     if (const Texture* texture = texture_of(scene, material)) {
-        const real2 size(static_cast<float>(texture->levels[0].width),
-            static_cast<float>(texture->levels[0].height));
+        const real2 size(
+            static_cast<float>(texture->width()), static_cast<float>(texture->height()));
         const RunGradients gradients = run_gradients(run_plane, run_uvs, hits.frame);
         color_of_texture = sample_texture(*texture, uv.x, uv.y,
             footprint2(less_corner.x, less_corner.y, t, from_glm(gradients.u),

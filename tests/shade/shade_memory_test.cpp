@@ -10,9 +10,7 @@ namespace {
 TEST(ShadeMemory, IsNotAllocated)
 {
     TileScene tile(32);
-    Texture texture;
-    texture.levels.push_back({2, 1, {0xFFFFFFu, 0x7F7F7Fu}});
-    tile.scene.textures.push_back(texture);
+    tile.scene.textures.emplace_back("two", Picture{2, 1, {0xFFFFFFu, 0x7F7F7Fu}});
     tile.add_material().texture = 0;
     tile.add_square({-3, -3, -10}, {6, 0, 0}, {0, 6, -3});
     tile.add_light({1, 2, 3});

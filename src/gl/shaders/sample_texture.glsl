@@ -1,74 +1,57 @@
 // sample_texture.glsl - the texture's colour at a sample, trilinear: src/shade/sample_texture-inl.h.
 //
-// All texels of all textures lie in one buffer (gl/texture_words.h): any number of textures of any
+// All texels of all textures lie in one buffer (gl/material_buffers.h): any number of textures of any
 // size, and the texels' weights are the text's own, not a texture unit's 8 bits.
 
 layout(binding = 12) uniform usamplerBuffer texture_words;
-
-const uint kTextureTable = 256u; // before it: linear light of the 256 sRGB codes, floats
 
 uint texture_word(uint at)
 {
     return texelFetch(texture_words, int(at)).x;
 }
 
-struct TextureLevel {
-    uint first; // of its texels
-    int width; // 0: cannot be sampled, white
-    int height;
-};
-
-/// Of the texture's row of the table: where its levels' rows are, how many there are.
-uvec2 texture_levels(int texture_id)
-{
-    uint row = kTextureTable + 2u * uint(texture_id);
-    return uvec2(texture_word(row), texture_word(row + 1u));
-}
-
-TextureLevel texture_level(uint row)
-{
-    return TextureLevel(
-        texture_word(row), int(texture_word(row + 1u)), int(texture_word(row + 2u)));
-}
-
 /// Of level 0, texels.
 vec2 texture_size(int texture_id)
 {
-    TextureLevel level = texture_level(texture_levels(texture_id).x);
-    return vec2(level.width, level.height);
+    uint row = 4u * uint(texture_id);
+    return vec2(texture_word(row + 2u), texture_word(row + 3u));
 }
 
-float linear_light(uint code)
+/// Red, green and blue, 0 to -32768.
+ivec3 fetch_texel(uint at)
 {
-    return uintBitsToFloat(texture_word(code & 255u));
+    int red_green = int(texture_word(at));
+    int blue_alpha = int(texture_word(at + 1u));
+    return ivec3(red_green << 16, red_green, blue_alpha << 16) >> 16;
 }
 
-vec3 texel_color(uint at)
+/// The sum of the weighted texels of a level.
+ivec3 sample_level(uint first, vec2 at, vec2 size, int weight)
 {
-    uint rgba = texture_word(at);
-    return vec3(linear_light(rgba), linear_light(rgba >> 8), linear_light(rgba >> 16));
-}
-
-vec3 sample_level(TextureLevel level, vec2 uv)
-{
-    if (level.width == 0) return vec3(1.0);
-    Texels at = bilinear_texels(uv.x, uv.y, float(level.width), float(level.height));
-    vec3 top = blend3(texel_color(level.first + uint(at.top_left)),
-        texel_color(level.first + uint(at.top_right)), at.right);
-    vec3 bottom = blend3(texel_color(level.first + uint(at.bottom_left)),
-        texel_color(level.first + uint(at.bottom_right)), at.right);
-    return blend3(top, bottom, at.bottom);
+    Texels texels = bilinear_texels(at.x, at.y, size.x, size.y);
+    TexelWeights weights = texel_weights(texels, weight);
+    uint top = first + 2u * uint(texels.top);
+    uint bottom = first + 2u * uint(texels.bottom);
+    return weights.top_left * fetch_texel(top) + weights.top_right * fetch_texel(top + 2u) +
+           weights.bottom_left * fetch_texel(bottom) +
+           weights.bottom_right * fetch_texel(bottom + 2u);
 }
 
 /// source  Williams 1983, "Pyramidal parametrics"
 vec3 sample_texture(int texture_id, vec2 uv, float length2)
 {
-    uvec2 levels = texture_levels(texture_id);
-    float level = mip_level(length2, float(levels.y - 1u));
+    uint row = 4u * uint(texture_id);
+    uint levels = texture_word(row);
+    vec2 size = texture_size(texture_id);
+    vec2 at = vec2(repeat(uv.x), 1.0 - repeat(uv.y));
+    float level = mip_level(length2, float(texture_word(row + 1u) - 1u));
     float finer = floor(level);
-    float amount = level - finer; // of the coarser level
-    uint row = levels.x + 3u * uint(finer);
-    vec3 color = sample_level(texture_level(row), uv);
-    if (amount > 0.0) color = blend3(color, sample_level(texture_level(row + 3u), uv), amount);
-    return color;
+    int coarse = whole_to_integer((level - finer) * 32767.0);
+
+    ivec3 sum = sample_level(texture_word(levels + uint(finer)), at,
+        vec2(level_size(size.x, finer), level_size(size.y, finer)), whole_weight() - coarse);
+    if (coarse > 0)
+        sum += sample_level(texture_word(levels + uint(finer) + 1u), at,
+            vec2(level_size(size.x, finer + 1.0), level_size(size.y, finer + 1.0)), coarse);
+    return vec3(texel_light(sum.x), texel_light(sum.y), texel_light(sum.z));
 }

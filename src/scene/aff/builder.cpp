@@ -15,17 +15,6 @@ bool same_times(const std::vector<MorphKey>& a, const std::vector<MorphKey>& b)
         [](const MorphKey& p, const MorphKey& q) { return p.time_s == q.time_s; });
 }
 
-/// AFF has v = 0 at a picture's first row, a scene at its last one.
-void turn_upside_down(Texture& texture)
-{
-    for (Texture::Level& level : texture.levels) {
-        const auto row = static_cast<std::ptrdiff_t>(level.width);
-        for (auto top = level.texel.begin(), bottom = level.texel.end() - row; top < bottom;
-             top += row, bottom -= row)
-            std::swap_ranges(top, top + row, bottom);
-    }
-}
-
 } // namespace
 
 Builder::Builder(const AffFiles& files) : files_(files)
@@ -113,7 +102,7 @@ std::uint32_t Builder::material(const Material& material, std::int32_t texture)
         scene.materials.push_back(material);
         scene.materials.back().texture = texture;
         if (texture >= 0)
-            scene.materials.back().name += " " + scene.textures[std::size_t(texture)].name;
+            scene.materials.back().name += " " + scene.textures[std::size_t(texture)].name();
     }
     return entry->second;
 }
@@ -124,8 +113,9 @@ std::int32_t Builder::texture(const Lexer& lexer, std::string_view name)
     if (!is_new) return entry->second;
     try {
         Texture texture = files_.texture(entry->first);
-        texture.name = entry->first;
-        turn_upside_down(texture);
+        texture.rename(entry->first);
+        // AFF has v = 0 at a picture's first row, a scene at its last one.
+        texture.turn_upside_down();
         scene.textures.push_back(std::move(texture));
         entry->second = static_cast<std::int32_t>(scene.textures.size() - 1);
     } catch (const FileError& error) {

@@ -2,9 +2,9 @@
 #include "scene/robots/tile_texture.h"
 
 #include "base/srgb.h"
-#include "scene/mip_levels.h"
 
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -73,19 +73,17 @@ glm::vec3 color_at(int x, int y)
 
 Texture make_tiles()
 {
-    Texture texture;
-    texture.name = "tiles";
-    Texture::Level& level = texture.levels.emplace_back(Texture::Level{kSize, kSize, {}});
-    level.texel.reserve(std::size_t(kSize) * kSize);
+    Picture picture{kSize, kSize, {}};
+    picture.pixel.reserve(std::size_t(kSize) * kSize);
     const SrgbTable& table = srgb_table();
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) {
             const glm::vec3 linear = color_at(x, y);
-            level.texel.push_back(0xFF000000u | std::uint32_t(table.code(linear.b)) << 16 |
-                                  std::uint32_t(table.code(linear.g)) << 8 | table.code(linear.r));
+            picture.pixel.push_back(0xFF000000u | std::uint32_t(table.code(linear.b)) << 16 |
+                                    std::uint32_t(table.code(linear.g)) << 8 |
+                                    table.code(linear.r));
         }
-    make_mip_levels(texture);
-    return texture;
+    return Texture("tiles", picture);
 }
 
 } // namespace firsthit

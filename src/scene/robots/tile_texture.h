@@ -1,7 +1,7 @@
 // tile_texture.h - a tiled floor, made in code.
 #pragma once
 
-#include <firsthit/scene.h>
+#include <firsthit/texture.h>
 
 namespace firsthit {
 
