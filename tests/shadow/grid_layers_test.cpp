@@ -1,10 +1,8 @@
 // grid_layers_test.cpp - exact shadows where the grid of samples takes short cuts: layers behind all
 // samples, samples that one wide face sees, places that are coarser than the roundings before them.
 #include "instruction_sets.h"
-#include "rays/brute_shadows.h"
-#include "shadow/point_shadows.h"
+#include "shadow/planned_shadows.h"
 #include "shadow/shadow_builder.h"
-#include "shadow/shadow_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -51,38 +49,6 @@ struct Layers {
         return asked;
     }
 };
-
-std::vector<std::uint8_t> shadows(
-    const World& world, const LightSpace& space, const ShadowPoints& asked, ShadowPlan plan)
-{
-    Tasks tasks(1);
-    ShadowMemory memory;
-    memory.plan = plan;
-    PointSet set;
-    make_point_set(asked.point, asked.receiver, true, set, tasks);
-    std::vector<std::uint8_t> shadowed(asked.point.size());
-    test_points(world, space, set, memory, tasks, shadowed);
-    return shadowed;
-}
-
-std::vector<std::uint8_t> plain_shadows(
-    const World& world, const LightSpace& space, const ShadowPoints& asked)
-{
-    const std::vector<glm::vec3> corner = all_to_light(space, world.position);
-    const LightTriangles triangles{corner, world.scene->index};
-    std::vector<std::uint8_t> shadowed;
-    Effort effort;
-    for (std::size_t k = 0; k < asked.point.size(); ++k) {
-        glm::vec3 d = to_light(space, asked.point[k]);
-        const std::uint32_t receiver = asked.receiver[k];
-        if (receiver != kNoItem) {
-            const Corners c = triangles[receiver];
-            d = lifted(space, d, receiver_of(c, light_side(space, c, effort)));
-        }
-        shadowed.push_back(is_shadowed_brute(space, triangles, d, receiver, effort));
-    }
-    return shadowed;
-}
 
 /// Both plans, on every instruction set, are the plain loop.
 void expect_plain_shadows(const World& world, const Light& light, const ShadowPoints& asked)

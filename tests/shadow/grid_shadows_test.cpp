@@ -1,10 +1,8 @@
 // grid_shadows_test.cpp - shadows of small triangles over a grid of samples are those of the plain
 // loop, and of the patches and cells.
 #include "instruction_sets.h"
-#include "rays/brute_shadows.h"
-#include "shadow/point_shadows.h"
+#include "shadow/planned_shadows.h"
 #include "shadow/shadow_builder.h"
-#include "shadow/shadow_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +11,6 @@
 
 namespace firsthit::test {
 namespace {
-
-std::vector<std::uint8_t> shadows(const World& world, const LightSpace& space,
-    const ShadowPoints& asked, ShadowPlan plan, int threads)
-{
-    Tasks tasks(threads);
-    ShadowMemory memory;
-    memory.plan = plan;
-    PointSet set;
-    make_point_set(asked.point, asked.receiver, true, set, tasks);
-    std::vector<std::uint8_t> shadowed(asked.point.size());
-    test_points(world, space, set, memory, tasks, shadowed);
-    return shadowed;
-}
 
 class GridShadows : public testing::TestWithParam<std::size_t> {
   protected:
@@ -40,20 +25,9 @@ TEST_P(GridShadows, EqualThePlainLoop)
     for (Light light : world.lights) {
         if (light.kind == Light::Kind::spot) light.kind = Light::Kind::point;
         const LightSpace space = light_space(light, glm::dvec3(0));
-        const std::vector<glm::vec3> corner = all_to_light(space, world.position);
-        const LightTriangles triangles{corner, world.scene->index};
-        const auto found = shadows(world, space, asked, ShadowPlan::grid, 2);
-        Effort effort;
-        for (std::size_t k = 0; k < asked.point.size(); ++k) {
-            glm::vec3 d = to_light(space, asked.point[k]);
-            const std::uint32_t receiver = asked.receiver[k];
-            if (receiver != kNoItem) {
-                const Corners c = triangles[receiver];
-                d = lifted(space, d, receiver_of(c, light_side(space, c, effort)));
-            }
-            ASSERT_EQ(found[k], is_shadowed_brute(space, triangles, d, receiver, effort))
-                << scene.name << ", point " << k << " on " << receiver;
-        }
+        EXPECT_EQ(
+            shadows(world, space, asked, ShadowPlan::grid, 2), plain_shadows(world, space, asked))
+            << scene.name;
     }
 }
 
