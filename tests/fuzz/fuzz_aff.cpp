@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         .texture =
             [](const std::string& name) {
                 if (name != "t") throw firsthit::FileError("no such file");
-                return firsthit::Texture{name, {{1, 1, {0}}}};
+                return firsthit::Texture(name, firsthit::Picture{1, 1, {0}});
             }};
     try {
         const firsthit::Scene scene = firsthit::parse_aff(
