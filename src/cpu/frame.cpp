@@ -165,10 +165,10 @@ void render_part(const World& world, const View& view, const Region& part, const
         });
     } else {
         memory.tiles.resize(tiles);
-        start_lit(world, *pass.shadows, tasks.threads(), memory.lit);
+        start_lit(world, *pass.shadows, tiles, memory.lit, tasks);
         for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
             memory.tiles[tile] = see_tile(items, part, pass, memory, tile, tile, number);
-            add_lit_hits(memory.tiles[tile], memory.lit, number);
+            add_lit_hits(memory.tiles[tile], tile, memory.lit, number);
         });
         watch.lap_ms();
         find_lit(world, *pass.shadows, view.camera.eye, memory.tiles, memory.lit,

@@ -160,7 +160,7 @@ void test_chunks(
 }
 
 void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit)
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit, Umbra* umbra)
 {
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
     lit.lights = world.lights.size();
@@ -174,10 +174,21 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
         std::optional<SpotCone> cone;
         if (light.kind == Light::Kind::spot) cone = spot_cone(light);
         Stopwatch watch;
+        if (umbra && find_umbra(world, space, tiles, *umbra, tasks)) {
+            std::fill_n(&lit.words[lit.place(l, 0)], lit.tiles * lit.blocks, std::uint64_t(0));
+            memory.effort.collect_ms += watch.lap_ms();
+            continue;
+        }
+        memory.effort.collect_ms += watch.lap_ms();
         see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
         memory.effort.see_ms += watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
+            if (umbra && umbra->hidden[tile]) {
+                std::fill_n(words, lit.blocks, std::uint64_t(0));
+                memory.parts[tile] = {};
+                return;
+            }
             TileReceivers& receivers = memory.workers[worker]->receivers;
             LightChunk& chunk = memory.workers[worker]->chunk;
             find_receivers(memory.mesh, tiles[tile], {words, lit.blocks}, receivers);

@@ -6,6 +6,7 @@
 #include "hits/hit_tile.h"
 #include "hits/lit_tile.h"
 #include "shadow/find_receivers.h"
+#include "shadow/umbra.h"
 #include "visibility/grid_shadows.h"
 #include "visibility/irregular_zbuffer.h"
 #include "visibility/see_points.h"
@@ -91,7 +92,8 @@ LitTile unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
 /// triangle shadows it (exact/shadow_ray.h).
 /// eye    where the hits were seen from
 /// tiles  of one picture part, all of one size, whose items lie one behind the other
+/// umbra  of these tiles, if it has walls: tiles that it hides need no tests; or null
 void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit);
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit, Umbra* umbra = nullptr);
 
 } // namespace firsthit

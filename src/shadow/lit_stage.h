@@ -7,16 +7,21 @@
 #include "hits/lit_tile.h"
 #include "shadow/exact_shadows.h"
 #include "shadow/shadow_map.h"
+#include "shadow/umbra.h"
 
 #include <firsthit/render.h>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace firsthit {
 
 /// Kept from frame to frame.
 struct LitMemory {
     Shadows technique = Shadows::exact; // never none
+    Umbra umbra;
+    std::vector<std::uint8_t> dark; // (lights) no hit is reached; of the maps
     ShadowMemory exact;
     LitBits bits; // of the exact technique
     ShadowMaps maps;
@@ -24,10 +29,11 @@ struct LitMemory {
 };
 
 /// Begins a part of the picture.
-void start_lit(const World& world, const Settings& settings, int threads, LitMemory& memory);
+void start_lit(const World& world, const Settings& settings, std::size_t tiles, LitMemory& memory,
+    Tasks& tasks);
 
 /// Takes note of a tile's hits while they are in cache. Calls with different workers may overlap.
-void add_lit_hits(const HitTile& hits, LitMemory& memory, std::size_t worker);
+void add_lit_hits(const HitTile& hits, std::size_t tile, LitMemory& memory, std::size_t worker);
 
 /// Once all tiles' hits are known: finds the shadows, or makes the maps that show them.
 /// eye, tiles  see test_exact_shadows

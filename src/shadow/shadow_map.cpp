@@ -91,7 +91,12 @@ void start_maps(const World& world, int threads, ShadowMaps& maps)
 void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker)
 {
     for (std::size_t light = 0; light < maps.light.size(); ++light)
-        add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
+        add_hits(hits, light, maps, worker);
+}
+
+void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::size_t worker)
+{
+    add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
 }
 
 void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,

@@ -97,6 +97,9 @@ void start_maps(const World& world, int threads, ShadowMaps& maps);
 /// Adds a tile's hits to what the maps have to show. Calls with different workers may overlap.
 void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker);
 
+/// The same for one light.
+void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::size_t worker);
+
 /// Makes the maps that are not what the world's triangles and lights, the hits and
 /// settings.shadow_map_size and .shadow_filter ask for. A map stays where its light, the triangles
 /// and its fit (map_fit.h) have not changed. Does not depend on threads or earlier frames.

@@ -1,23 +1,14 @@
 // irregular_covers.h - large triangles that shadow whole patches and cells: a roof, a wall.
 #pragma once
 
+#include "visibility/cover_choice.h"
 #include "visibility/irregular_leaf.h"
 #include "visibility/irregular_patches.h"
 #include "visibility/light_mesh.h"
 
-#include <array>
 #include <span>
 
 namespace firsthit {
-
-/// The triangles that cover most of the samples' bounds.
-struct CoverList {
-    static constexpr int kMost = 16;
-    std::array<SeenTriangle, kMost> triangle;
-    int count = 0;
-
-    std::span<const SeenTriangle> span() const { return {triangle.data(), std::size_t(count)}; }
-};
 
 /// ranges    into mesh.in_view
 /// of_range  memory

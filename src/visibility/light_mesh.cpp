@@ -34,7 +34,8 @@ void see_range(std::size_t range, const SampleBounds& bounds, LightMesh& mesh)
     mesh.range_count[range] = std::uint32_t(kept - &mesh.in_view[first]);
 }
 
-/// The face that sees all of the box within kWidestFace; that where it is nearest to the middle.
+} // namespace
+
 int find_wide_face(const VertexBox& box)
 {
     float best = kWidestFace;
@@ -52,8 +53,6 @@ int find_wide_face(const VertexBox& box)
     }
     return found;
 }
-
-} // namespace
 
 bool see_careful(const LightFace& face, const Corners& corners, SeenTriangle& box)
 {

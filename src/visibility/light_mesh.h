@@ -79,6 +79,10 @@ void see_vertices(
 VertexBox move_vertices(
     const LightSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner);
 
+/// The face of a point light that sees all of the box within kWidestFace, that where it is nearest to
+/// the middle; -1 where there is none.
+int find_wide_face(const VertexBox& box);
+
 /// Moves all vertices into the light's space, and looks for a wide face.
 void see_from_light(const LightSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, LightMesh& mesh, Tasks& tasks);

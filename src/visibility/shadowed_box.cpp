@@ -1,0 +1,114 @@
+// shadowed_box.cpp - does a triangle certainly shadow everything in a box?
+//
+// It does where its edges are positive at the box's corners and it is nearer to the light there than
+// the nearest point, by more than the margin: edges and depth are affine. All in double, and nothing
+// is certain that roundings might change: not on which side of a triangle a light is that lies
+// nearly in its plane.
+#include "visibility/shadowed_box.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace firsthit {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kRoom = 0x1p-20; // for roundings, far more than they are
+
+struct Place {
+    double x, y;
+};
+
+/// The corners of the bounds, a little further out: samples' places are rounded, tiny ones to 0.
+std::array<Place, 4> corners_of(const SampleBounds& b)
+{
+    const auto out = [](float v) { return 0x1p-22 * std::abs(double(v)) + 0x1p-140; };
+    const double x0 = double(b.x0) - out(b.x0), x1 = double(b.x1) + out(b.x1),
+                 y0 = double(b.y0) - out(b.y0), y1 = double(b.y1) + out(b.y1);
+    return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}};
+}
+
+/// A value, and what its roundings are relative to.
+struct Rounded {
+    double value = 0, size = 0;
+
+    /// 0 where it may be.
+    int sign() const { return std::abs(value) > kRoom * size ? value > 0 ? 1 : -1 : 0; }
+};
+
+struct RoundedVector {
+    dvec3 value{0}, size{0};
+};
+
+RoundedVector cross(const dvec3& a, const dvec3& b)
+{
+    const dvec3 p = glm::abs(a), q = glm::abs(b);
+    return {
+        glm::cross(a, b), {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x}};
+}
+
+Rounded dot(const RoundedVector& n, const dvec3& p)
+{
+    return {glm::dot(n.value, p), glm::dot(n.size, glm::abs(p))};
+}
+
+/// A product of two corners: each component is the difference of two exact products.
+RoundedVector corner_product(const dvec3& a, const dvec3& b)
+{
+    const dvec3 n = glm::cross(a, b);
+    return {n, glm::abs(n)};
+}
+
+} // namespace
+
+bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& corners,
+    const SampleBounds& bounds)
+{
+    if (!std::isfinite(bounds.farthest_w) || !std::isfinite(bounds.nearest_w)) return false;
+    const bool directional = space.directional;
+    std::array<dvec3, 3> v, pencil;
+    for (std::size_t k = 0; k < 3; ++k) {
+        v[k] = dvec3(face.seen_from(corners[k]));
+        pencil[k] = directional ? dvec3(v[k].x, v[k].y, 1) : v[k];
+    }
+    const Rounded volume = dot(corner_product(pencil[1], pencil[2]), pencil[0]);
+    if (volume.sign() == 0) return false;
+    const std::array<Place, 4> places = corners_of(bounds);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const RoundedVector edge = corner_product(pencil[k], pencil[(k + 1) % 3]);
+        for (const Place& at : places)
+            if (dot(edge, {at.x, at.y, 1}).sign() != volume.sign()) return false;
+    }
+
+    const RoundedVector n = cross(v[1] - v[0], v[2] - v[0]);
+    const Rounded divisor = directional ? Rounded{n.value.z, n.size.z} : volume;
+    if (divisor.sign() == 0) return false;
+    const double nearest = bounds.nearest_w;
+    // Of a point's coordinates, over its c for a point light.
+    const double largest = std::max(
+        {std::abs(double(bounds.x0)), std::abs(double(bounds.x1)), std::abs(double(bounds.y0)),
+            std::abs(double(bounds.y1)), directional ? std::abs(nearest) : 1.0,
+            directional ? std::abs(double(bounds.farthest_w)) : 1.0});
+    const double per_margin = directional ? 1 : nearest;
+    const double margin = double(kShadowMargin) * 2 * largest +
+                          (double(kShadowMargin) * double(space.reach) +
+                              double(corner_margin(corners)) + kMarginUnderflow) *
+                              per_margin;
+    const double length = n.size.x + n.size.y + n.size.z; // or a little more
+    for (const Place& at : places) {
+        const Rounded height =
+            directional ? dot(n, {at.x - v[0].x, at.y - v[0].y, 0}) : dot(n, {at.x, at.y, 1});
+        const double base = directional ? v[0].z : 0;
+        const double w = height.value / divisor.value - base;
+        const double size = (height.size + margin * length) / std::abs(divisor.value) +
+                            std::abs(base) + std::abs(nearest);
+        if (!(w - nearest > margin * length / std::abs(divisor.value) + kRoom * size)) return false;
+    }
+    return true;
+}
+
+} // namespace firsthit
