@@ -1,4 +1,4 @@
-// umbra.cpp - tiles that one large triangle hides from a light as a whole.
+// umbra.cpp - tiles that a wall hides from a light as a whole.
 #include "shadow/umbra.h"
 
 #include "visibility/cover_choice.h"
@@ -131,7 +131,7 @@ bool see_triangle(const LightFace& face, const Corners& corners, SeenTriangle& b
     return true;
 }
 
-/// The walls that cover most of what a face sees.
+/// The triangles that cover most of what a face sees.
 CoverList covers_of(const World& world, const LightSpace& space, const LightFace& face,
     const SampleBounds& bounds, std::span<const std::uint32_t> walls)
 {
@@ -143,22 +143,48 @@ CoverList covers_of(const World& world, const LightSpace& space, const LightFace
     return choice.covers;
 }
 
-/// Whether one of the triangles certainly shadows all hits of the tile.
-bool is_hidden(const World& world, const LightSpace& space, const TileSight& sight,
-    const CoverList& covers, const HitTile& hits)
-{
-    const SampleBounds& b = sight.bounds;
-    for (const SeenTriangle& seen : covers.span()) {
-        const bool around = seen.x0 <= b.x0 && seen.x1 >= b.x1 && seen.y0 <= b.y0 &&
-                            seen.y1 >= b.y1 && seen.nearest_w > b.nearest_w;
-        if (!around || !shadows_box(space, light_face(space.directional, sight.face),
-                           corners_in_light_space(world, space, seen.triangle), b))
-            continue;
-        const auto on_it = [&](const HitRun& run) { return run.item == seen.triangle; };
-        if (std::none_of(hits.runs.begin(), hits.runs.end(), on_it)) return true;
+/// What one light's face sees of the walls, and asks of them.
+struct Walls {
+    const World& world;
+    const LightSpace& space;
+    LightFace face;
+    CoverList covers;
+
+    /// Whether one of the triangles certainly shadows all hits of the tile, or one and the next.
+    bool hide(const SampleBounds& bounds, const HitTile& hits) const
+    {
+        for (const SeenTriangle& seen : covers.span()) {
+            if (!(seen.x0 <= bounds.x1 && seen.x1 >= bounds.x0 && seen.y0 <= bounds.y1 &&
+                    seen.y1 >= bounds.y0 && seen.nearest_w > bounds.nearest_w))
+                continue;
+            const std::uint32_t first = seen.triangle;
+            const Corners corners = corners_in_light_space(world, space, first);
+            if (shadows_box(space, face, corners, bounds) && nothing_is_on(first, first, hits))
+                return true;
+            if (hide_with(first, corners, first + 1, bounds, hits) ||
+                hide_with(first, corners, first - 1, bounds, hits))
+                return true;
+        }
+        return false;
     }
-    return false;
-}
+
+  private:
+    /// The other one may be the neighbour in a quad or a fan, or none.
+    bool hide_with(std::uint32_t first, const Corners& corners, std::uint32_t second,
+        const SampleBounds& bounds, const HitTile& hits) const
+    {
+        if (second >= world.scene->index.size()) return false;
+        const Corners others = corners_in_light_space(world, space, second);
+        return usable(others) && shadow_box(space, face, corners, others, bounds) &&
+               nothing_is_on(first, second, hits);
+    }
+
+    static bool nothing_is_on(std::uint32_t first, std::uint32_t second, const HitTile& hits)
+    {
+        return std::none_of(hits.runs.begin(), hits.runs.end(),
+            [&](const HitRun& run) { return run.item == first || run.item == second; });
+    }
+};
 
 } // namespace
 
@@ -187,21 +213,24 @@ bool find_umbra(const World& world, const LightSpace& space, std::span<const Hit
     Umbra& umbra, Tasks& tasks)
 {
     look_at_tiles(space, umbra, tasks);
-    std::array<CoverList, kLightFaces> covers;
+    const auto walls_of = [&](int face) {
+        return Walls{world, space, light_face(space.directional, face), {}};
+    };
+    std::array walls{walls_of(0), walls_of(1), walls_of(2), walls_of(3), walls_of(4), walls_of(5)};
     for (int face = 0; face < kLightFaces; ++face) {
         SampleBounds bounds;
         for (const TileSight& sight : umbra.sights.span())
             if (sight.face == face) bounds.add(sight.bounds);
         if (bounds.x0 <= bounds.x1)
-            covers[std::size_t(face)] = covers_of(
-                world, space, light_face(space.directional, face), bounds, umbra.walls.span());
+            walls[std::size_t(face)].covers =
+                covers_of(world, space, walls[std::size_t(face)].face, bounds, umbra.walls.span());
     }
     umbra.hidden.resize(tiles.size());
     tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
         const TileSight& sight = umbra.sights[tile];
-        umbra.hidden[tile] = umbra.hulls[tile].empty ||
-                             (sight.face >= 0 && is_hidden(world, space, sight,
-                                                     covers[std::size_t(sight.face)], tiles[tile]));
+        umbra.hidden[tile] =
+            umbra.hulls[tile].empty ||
+            (sight.face >= 0 && walls[std::size_t(sight.face)].hide(sight.bounds, tiles[tile]));
     });
     const auto hidden = umbra.hidden.span();
     return std::find(hidden.begin(), hidden.end(), 0) == hidden.end();

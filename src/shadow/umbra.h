@@ -1,7 +1,8 @@
-// umbra.h - tiles that one large triangle hides from a light as a whole: behind a wall, under a roof.
+// umbra.h - tiles that a wall hides from a light as a whole: behind a wall, under a roof.
 //
-// Their hits need no shadow rays, nor does anything have to be made for them. Only triangles of parts
-// that have few are tried, as walls and roofs do: no pass over a mesh.
+// Their hits need no shadow rays, nor does anything have to be made for them. A wall is a triangle, or
+// two neighbours with a common edge. Only triangles of parts that have few are tried, as walls and roofs
+// do: no pass over a mesh.
 //
 // source  Hudson et al. 1997, "Accelerated Occlusion Culling using Shadow Frusta" (what a large polygon
 //         hides from the eye)

@@ -1,9 +1,12 @@
-// shadowed_box.cpp - does a triangle certainly shadow everything in a box?
+// shadowed_box.cpp - does a triangle certainly shadow everything in a box, or do two?
 //
 // It does where its edges are positive at the box's corners and it is nearer to the light there than
 // the nearest point, by more than the margin: edges and depth are affine. All in double, and nothing
 // is certain that roundings might change: not on which side of a triangle a light is that lies
 // nearly in its plane.
+//
+// Of two triangles with a common edge, each ray that is inside all their other edges hits one: it is on
+// one side or the other of the common edge, whose exact sign is one number for both.
 #include "visibility/shadowed_box.h"
 
 #include <glm/geometric.hpp>
@@ -63,12 +66,12 @@ RoundedVector corner_product(const dvec3& a, const dvec3& b)
     return {n, glm::abs(n)};
 }
 
-} // namespace
-
-bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& corners,
-    const SampleBounds& bounds)
+/// On which side of the light the triangle's plane is, as volume_sign, if the triangle shadows all that is
+/// inside of edge number `open` (3: it has none such), else 0.
+int shadowing_side(const LightSpace& space, const LightFace& face, const Corners& corners,
+    std::size_t open, const SampleBounds& bounds)
 {
-    if (!std::isfinite(bounds.farthest_w) || !std::isfinite(bounds.nearest_w)) return false;
+    if (!std::isfinite(bounds.farthest_w) || !std::isfinite(bounds.nearest_w)) return 0;
     const bool directional = space.directional;
     std::array<dvec3, 3> v, pencil;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -76,17 +79,18 @@ bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& 
         pencil[k] = directional ? dvec3(v[k].x, v[k].y, 1) : v[k];
     }
     const Rounded volume = dot(corner_product(pencil[1], pencil[2]), pencil[0]);
-    if (volume.sign() == 0) return false;
+    if (volume.sign() == 0) return 0;
     const std::array<Place, 4> places = corners_of(bounds);
     for (std::size_t k = 0; k < 3; ++k) {
+        if (k == open) continue;
         const RoundedVector edge = corner_product(pencil[k], pencil[(k + 1) % 3]);
         for (const Place& at : places)
-            if (dot(edge, {at.x, at.y, 1}).sign() != volume.sign()) return false;
+            if (dot(edge, {at.x, at.y, 1}).sign() != volume.sign()) return 0;
     }
 
     const RoundedVector n = cross(v[1] - v[0], v[2] - v[0]);
     const Rounded divisor = directional ? Rounded{n.value.z, n.size.z} : volume;
-    if (divisor.sign() == 0) return false;
+    if (divisor.sign() == 0) return 0;
     const double nearest = bounds.nearest_w;
     // Of a point's coordinates, over its c for a point light.
     const double largest = std::max(
@@ -106,9 +110,34 @@ bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& 
         const double w = height.value / divisor.value - base;
         const double size = (height.size + margin * length) / std::abs(divisor.value) +
                             std::abs(base) + std::abs(nearest);
-        if (!(w - nearest > margin * length / std::abs(divisor.value) + kRoom * size)) return false;
+        if (!(w - nearest > margin * length / std::abs(divisor.value) + kRoom * size)) return 0;
     }
-    return true;
+    return volume.sign();
+}
+
+} // namespace
+
+bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& corners,
+    const SampleBounds& bounds)
+{
+    return shadowing_side(space, face, corners, 3, bounds) != 0;
+}
+
+bool shadow_box(const LightSpace& space, const LightFace& face, const Corners& first,
+    const Corners& second, const SampleBounds& bounds)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const glm::vec3 &a = first[i], &b = first[(i + 1) % 3];
+            const glm::vec3 &c = second[j], &d = second[(j + 1) % 3];
+            const bool against = a == d && b == c, along = a == c && b == d;
+            if (!against && !along) continue;
+            const int side = shadowing_side(space, face, first, i, bounds);
+            return side != 0 &&
+                   shadowing_side(space, face, second, j, bounds) == (against ? side : -side);
+        }
+    }
+    return false;
 }
 
 } // namespace firsthit

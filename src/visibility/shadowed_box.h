@@ -1,4 +1,4 @@
-// shadowed_box.h - does a triangle certainly shadow everything in a box?
+// shadowed_box.h - does a triangle certainly shadow everything in a box, or do two?
 #pragma once
 
 #include "exact/shadow_ray.h"
@@ -11,5 +11,10 @@ namespace firsthit {
 /// bounds, as the face sees them, that do not lie on it. False where that is not known.
 bool shadows_box(const LightSpace& space, const LightFace& face, const Corners& corners,
     const SampleBounds& bounds);
+
+/// The same for two triangles that share an edge, where each point is in the shadow of one of them: as
+/// behind a wall of two. False where they share none.
+bool shadow_box(const LightSpace& space, const LightFace& face, const Corners& first,
+    const Corners& second, const SampleBounds& bounds);
 
 } // namespace firsthit

@@ -90,7 +90,7 @@ TEST_P(UmbraOf, HiddenTilesAreDarkByThePlainLoop)
     const ShadowScene& scene = shadow_scenes()[GetParam()];
     for (unsigned seed = 0; seed < 3; ++seed) {
         ShadowWorld made = make_shadow_world(scene, seed);
-        divide(*made.world.scene, 1);
+        divide(*made.world.scene, 1 + seed);
         for (const int tile_size : {8, 32})
             EXPECT_EQ(check(made.world.world, made.view, tile_size).lit, 0u)
                 << scene.name << ", seed " << seed;
@@ -138,6 +138,64 @@ TEST(Umbra, HidesWhatIsUnderARoof)
         EXPECT_EQ(counts.hidden, counts.tiles);
         EXPECT_EQ(counts.lit, 0u);
     }
+}
+
+/// A floor under a quad of the corners, which are shared in both ways that are possible.
+Counts check_quad(const std::array<glm::vec3, 4>& q, bool against, unsigned seed)
+{
+    ShadowWorld made;
+    std::mt19937 random(seed);
+    Builder b{made, random};
+    b.floor(0, 1, 12);
+    b.triangle(q[0], q[1], q[2]);
+    if (against)
+        b.triangle(q[0], q[2], q[3]);
+    else
+        b.triangle(q[2], q[0], q[3]);
+    b.light(point_light({uniform(random, -1, 1), 7, uniform(random, -1, 1)}));
+    b.eye({0, 0.5, 1}, {0, 0, 0});
+    made.world.finish();
+    made.view.width = made.view.height = kShadowSize;
+    divide(*made.world.scene, 2);
+    return check(made.world.world, made.view);
+}
+
+TEST(Umbra, HasNoGapBetweenTheTwoTrianglesOfAWall)
+{
+    for (const bool against : {false, true}) {
+        const Counts counts =
+            check_quad({{{-4, 1, -4}, {4, 1, -4}, {4, 1, 4}, {-4, 1, 4}}}, against, 1);
+        EXPECT_GT(counts.tiles, 30u);
+        EXPECT_EQ(counts.hidden, counts.tiles);
+        EXPECT_EQ(counts.lit, 0u);
+    }
+}
+
+TEST(Umbra, IsNotOnTheFreeSideOfTwoTrianglesThatLieOnOneAnother)
+{
+    // Inside of all edges but the common one, and beyond that.
+    for (const bool against : {false, true}) {
+        const Counts counts =
+            check_quad({{{-4, 1, 0}, {0, 1, -6}, {4, 1, 0}, {0.25f, 1.25f, -5}}}, against, 1);
+        EXPECT_GT(counts.hidden, 5u);
+        EXPECT_LT(counts.hidden, counts.tiles);
+        EXPECT_EQ(counts.lit, 0u);
+    }
+}
+
+TEST(Umbra, IsNotWhereTwoTrianglesDoNotClose)
+{
+    // Bent, folded over each other, and with a corner moved by a hair.
+    std::size_t hidden = 0;
+    std::mt19937 random(3);
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        std::array<glm::vec3, 4> q{{{-2, 1, -2}, {2, 1, -2}, {2, 1, 2}, {-2, 1, 2}}};
+        for (glm::vec3& corner : q) corner += random_point(random, seed % 3 ? 1.0f : 2.5f);
+        const Counts counts = check_quad(q, seed % 2, seed);
+        EXPECT_EQ(counts.lit, 0u) << seed;
+        hidden += counts.hidden;
+    }
+    EXPECT_GT(hidden, 100u);
 }
 
 TEST(Umbra, EndsWhereTheRoofIsAsNearAsRoundingsAre)
