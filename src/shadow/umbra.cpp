@@ -16,16 +16,23 @@ namespace {
 using glm::dvec3;
 
 constexpr std::uint32_t kFewTriangles = 12; // of a part: a box
+constexpr std::size_t kMostWalls = 8192;    // 40 ns each for every light
 
+/// The triangles of parts that have few; where these would be too many, of parts with fewer.
 void find_walls(const Scene& scene, Buffer<std::uint32_t>& walls)
 {
-    std::size_t count = 0;
+    std::array<std::size_t, kFewTriangles + 1> triangles{}; // of all parts that have so many
     for (const Part& part : scene.parts)
-        if (part.triangle_count <= kFewTriangles) count += part.triangle_count;
+        if (part.triangle_count <= kFewTriangles)
+            triangles[part.triangle_count] += part.triangle_count;
+    std::uint32_t few = 0;
+    std::size_t count = 0;
+    while (few < kFewTriangles && count + triangles[few + 1] <= kMostWalls)
+        count += triangles[++few];
     walls.resize(count);
     std::size_t next = 0;
     for (const Part& part : scene.parts)
-        if (part.triangle_count <= kFewTriangles)
+        if (part.triangle_count <= few)
             for (std::uint32_t k = 0; k < part.triangle_count; ++k)
                 walls[next++] = part.first_triangle + k;
 }

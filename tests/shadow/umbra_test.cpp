@@ -258,6 +258,34 @@ TEST(Umbra, DoesNotCountOnATriangleThatTheHitsLieOn)
     EXPECT_EQ(counts.lit, 0u);
 }
 
+TEST(Umbra, TriesTrianglesOfPartsThatHaveFew)
+{
+    const auto walls = [](std::uint32_t parts, std::uint32_t triangles, std::uint32_t more) {
+        Scene scene;
+        for (std::uint32_t k = 0; k < parts; ++k) {
+            Part part;
+            part.first_triangle = k * triangles;
+            part.triangle_count = triangles;
+            scene.parts.push_back(part);
+        }
+        Part last;
+        last.first_triangle = parts * triangles;
+        last.triangle_count = more;
+        scene.parts.push_back(last);
+        World world;
+        world.scene = &scene;
+        Umbra umbra;
+        Tasks tasks(1);
+        start_umbra(world, 0, umbra, tasks);
+        return std::vector<std::uint32_t>(umbra.walls.span().begin(), umbra.walls.span().end());
+    };
+    EXPECT_EQ(walls(1, 2, 3), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(walls(1, 2, 1000), (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(walls(0, 2, 1000).size(), 0u);
+    EXPECT_EQ(walls(1000, 12, 2), (std::vector<std::uint32_t>{12000, 12001})) << "too many boxes";
+    EXPECT_EQ(walls(10'000'000 / 12, 12, 1000).size(), 0u);
+}
+
 TEST(Umbra, IsTheSameForEveryInstructionSet)
 {
     const ShadowWorld made = roofed(0.01f, 0, point_light({0.3, 7, 0.2}), 1, glm::vec3(5));
