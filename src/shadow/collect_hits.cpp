@@ -78,6 +78,15 @@ HWY_INLINE real3 lifted(const LightSpace& space, real3 d, const LaneReceivers& r
 
 using Ids = hn::Vec<hn::RebindToUnsigned<RealTag>>;
 
+/// Of samples in a row. Highway's Iota is built number by number where its start is not constant.
+HWY_INLINE Ids ids_from(std::uint32_t first)
+{
+    alignas(64) static constexpr std::uint32_t kNumbers[16] = {
+        0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const hn::RebindToUnsigned<RealTag> du;
+    return hn::Add(hn::Set(du, first), hn::Load(du, kNumbers));
+}
+
 /// Appends the chosen lanes: whole registers, of which the next ones write over what is too much.
 /// Some processors are very slow to compress straight to memory.
 HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, LightChunk& chunk)
@@ -97,7 +106,6 @@ HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, LightChunk& chu
 template <class F>
 HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> reached, const F& f)
 {
-    const hn::RebindToUnsigned<RealTag> du;
     const LightSpace& space = work.mesh.space;
     std::fill(reached.begin(), reached.end(), std::uint64_t(0));
     BlockReceivers receivers;
@@ -121,7 +129,7 @@ HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> rea
             }
             reached[block] |= lanes << first;
             f(lifted(space, q, receivers.of(first)),
-                hn::Iota(du, work.first_id + std::uint32_t(at)), truth_of_bits(lanes));
+                ids_from(work.first_id + std::uint32_t(at)), truth_of_bits(lanes));
         }
     }
 }

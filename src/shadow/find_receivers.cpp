@@ -106,7 +106,7 @@ HWY_INLINE void copy_run(const LightMesh& mesh, const HitRun& run, std::size_t i
 
 void find(const LightMesh& mesh, const HitTile& hits, TileReceivers& receivers)
 {
-    RunBatch batch{};
+    RunBatch batch;
     receivers.run.resize(hits.runs.size());
     FacingRun* next = receivers.run.data();
     Effort effort;
@@ -116,6 +116,8 @@ void find(const LightMesh& mesh, const HitTile& hits, TileReceivers& receivers)
             ask_ahead(mesh, hits.runs, first + i);
             copy_run(mesh, runs[i], i, batch);
         }
+        for (std::size_t i = runs.size(); i % hn::Lanes(Doubles()) != 0; ++i)
+            copy_run(mesh, runs[0], i, batch); // to fill a register
         set_up(mesh.space.directional, runs.size(), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const HitRun& run = runs[i];
