@@ -87,7 +87,8 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
 /// Asks for the memory of what later batches read.
 HWY_INLINE void ask_ahead(const LightMesh& mesh, std::span<const HitRun> runs, std::size_t run)
 {
-    constexpr std::size_t kCorners = 24, kIndex = 64; // runs ahead
+    constexpr std::size_t kCorners = 24, kIndex = 64, kRun = 256; // runs ahead
+    if (run + kRun < runs.size()) __builtin_prefetch(&runs[run + kRun]);
     if (run + kIndex < runs.size()) __builtin_prefetch(&mesh.index[runs[run + kIndex].item]);
     if (run + kCorners >= runs.size()) return;
     const glm::uvec3& index = mesh.index[runs[run + kCorners].item];
