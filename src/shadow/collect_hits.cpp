@@ -61,7 +61,7 @@ class BlockReceivers {
     }
 
   private:
-    static constexpr std::size_t kFew = 6; // runs: one after the other takes less
+    static constexpr std::size_t kFew = 3 * kLanes; // runs: one after the other takes less
 
     std::span<const FacingRun> runs_;
     alignas(64) float of_[kBlockSamples][4] = {};
