@@ -128,8 +128,8 @@ HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> rea
                 if (lanes == 0) continue;
             }
             reached[block] |= lanes << first;
-            f(lifted(space, q, receivers.of(first)),
-                ids_from(work.first_id + std::uint32_t(at)), truth_of_bits(lanes));
+            f(lifted(space, q, receivers.of(first)), ids_from(work.first_id + std::uint32_t(at)),
+                truth_of_bits(lanes));
         }
     }
 }
