@@ -97,7 +97,7 @@ struct GroupBounds {
 #if HWY_TARGET != HWY_SCALAR
 /// Over the register's parts of four lanes.
 template <class D>
-HWY_INLINE auto least_of_blocks(D d, hn::Vec<D> v)
+HWY_INLINE auto least_of_blocks(D, hn::Vec<D> v)
 {
     if constexpr (hn::MaxLanes(D()) <= 4) {
         return v;
@@ -106,7 +106,6 @@ HWY_INLINE auto least_of_blocks(D d, hn::Vec<D> v)
         return least_of_blocks(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
     }
 }
-
 #endif
 
 /// box = the least of x, -x, y, -y.

@@ -28,9 +28,9 @@ HWY_INLINE truth without(truth all, truth some)
     return {hn::AndNot(some.lanes, all.lanes)};
 }
 
-/// The valid lanes that no wide face sees, and that this one does.
+/// The valid lanes whose major axis is the face's.
 template <int kAxis>
-HWY_INLINE truth on_next_face(const Points& points, float sign)
+HWY_INLINE truth on_major_face(const Points& points, float sign)
 {
     return {hn::And(on_face<kAxis>(points.p, sign).lanes, points.valid.lanes)};
 }
@@ -38,9 +38,9 @@ HWY_INLINE truth on_next_face(const Points& points, float sign)
 HWY_INLINE truth on_face(const Points& points, int face)
 {
     const float sign = face % 2 ? -1.0f : 1.0f;
-    return face < 2   ? on_next_face<0>(points, sign)
-           : face < 4 ? on_next_face<1>(points, sign)
-                      : on_next_face<2>(points, sign);
+    return face < 2   ? on_major_face<0>(points, sign)
+           : face < 4 ? on_major_face<1>(points, sign)
+                      : on_major_face<2>(points, sign);
 }
 
 HWY_INLINE truth on_wide_face(const Points& points, int face)
