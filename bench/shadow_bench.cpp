@@ -127,14 +127,14 @@ void measure(const std::string& argument, const Options& options)
     std::vector<std::unique_ptr<LightChunk>> chunks;
     std::vector<std::uint8_t> theirs(memory.tiles.size() * samples);
     TileReceivers receivers;
-    receivers.resize(samples);
     for (std::size_t tile = 0; tile < memory.tiles.size(); ++tile) {
         chunks.push_back(std::make_unique<LightChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
-        find_receivers(mesh, memory.tiles[tile], chosen, receivers);
-        collect_hits(memory.tiles[tile], receivers, space, nullptr, std::uint32_t(tile * samples),
-            chosen.data(), *chunks.back());
+        find_receivers(mesh, memory.tiles[tile], receivers);
+        collect_points(
+            {memory.tiles[tile], receivers.runs(), mesh, nullptr, std::uint32_t(tile * samples)},
+            chosen, *chunks.back());
     }
 
     Times times;

@@ -1,4 +1,4 @@
-// collect_hits.h - from the hits of a tile to points in a light's space.
+// collect_hits.h - from the hits of a tile to samples of a light's faces.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -11,13 +11,24 @@
 
 namespace firsthit {
 
-/// Writes the points of the chosen samples into the chunk: the bits of hits/hit_position.h, moved
-/// by to_light and lifted off their receivers.
-/// cone      of a spot, else null
-/// first_id  of the tile's first sample
-/// chosen    (blocks) a bit for each sample; all have an item. Those outside of the cone are cleared
-void collect_hits(const HitTile& hits, const TileReceivers& receivers, const LightSpace& space,
-    const SpotCone* cone, std::uint32_t first_id, std::uint64_t* chosen, LightChunk& chunk);
+/// A tile and a light.
+struct CollectWork {
+    const HitTile& hits;
+    std::span<const FacingRun> runs; // of the tile, see find_receivers.h
+    const LightMesh& mesh;
+    const SpotCone* cone = nullptr; // of a spot, else null
+    std::uint32_t first_id = 0;     // of the tile's first sample
+};
+
+/// Writes the points of the runs' samples, from sample number `first` on, to the faces that see them,
+/// as see_points: the bits of hits/hit_position.h, moved by to_light and lifted off their receivers.
+/// reached  (blocks) a bit for each sample of a run that is inside the cone
+/// spare    room for the points of the tile
+void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
+    std::span<std::uint64_t> reached, FaceParts& parts, LightChunk& spare);
+
+/// The same as points.
+void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk);
 
 /// floats[k] = bit k of the words, 0 or 1.
 void unpack_bits(std::span<const std::uint64_t> words, float* floats);

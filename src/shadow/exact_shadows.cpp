@@ -90,7 +90,7 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
     if (int(memory.grid_counts.size()) < threads) memory.grid_counts.resize(std::size_t(threads));
     for (const auto& worker : memory.workers) {
         worker->chunk.reserve(points_a_chunk);
-        worker->receivers.resize(points_a_chunk);
+        worker->receivers.run.resize(points_a_chunk);
     }
 }
 
@@ -191,11 +191,11 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             }
             TileReceivers& receivers = memory.workers[worker]->receivers;
             LightChunk& chunk = memory.workers[worker]->chunk;
-            find_receivers(memory.mesh, tiles[tile], {words, lit.blocks}, receivers);
-            collect_hits(tiles[tile], receivers, space, cone ? &*cone : nullptr,
-                std::uint32_t(tile * samples), words, chunk);
-            see_points(memory.mesh, chunk, tile * chunk_room(samples), memory.samples.span(),
-                memory.parts[tile]);
+            find_receivers(memory.mesh, tiles[tile], receivers);
+            collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
+                             std::uint32_t(tile * samples)},
+                tile * chunk_room(samples), memory.samples.span(), {words, lit.blocks},
+                memory.parts[tile], chunk);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
         memory.effort.collect_ms += watch.lap_ms();

@@ -6,12 +6,10 @@
 #define HWY_TARGET_INCLUDE "shadow/find_receivers.cpp"
 #include "base/simd.h"
 
-#include "base/simd_real-inl.h"
 #include "shadow/find_receivers.h"
 #include "visibility/set_up-inl.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -29,8 +27,7 @@ struct RunBatch {
     alignas(64) float eye_side[kRuns];
     alignas(64) float corner[3][kRuns][4]; // the fourth is nothing
     alignas(64) double volume[kRuns];      // 0 where its sign is not certain
-    alignas(64) float away[3][kRuns];      // of the receiver, if the light is on the eye's side
-    alignas(64) float margin[kRuns];
+    alignas(64) float receiver[kRuns][4];  // if the light is on the eye's side
 };
 
 template <class V>
@@ -74,24 +71,24 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
         const V side = hn::PromoteTo(d, hn::Load(f, batch.eye_side + i));
         const V divisor = hn::Mul(hn::Neg(side), largest);
         const auto plane = hn::Gt(largest, zero);
-        const auto away = [&](const V& axis, float* to) {
-            hn::Store(
-                hn::DemoteTo(f, hn::IfThenElseZero(plane, hn::Div(axis, divisor))), f, to + i);
+        const auto away = [&](const V& axis) {
+            return hn::DemoteTo(f, hn::IfThenElseZero(plane, hn::Div(axis, divisor)));
         };
-        away(n.x, batch.away[0]), away(n.y, batch.away[1]), away(n.z, batch.away[2]);
         const F corner =
             hn::Max(hn::Max(largest_of(narrow[0]), largest_of(narrow[1])), largest_of(narrow[2]));
         const F margin = hn::Mul(hn::Set(f, kShadowMargin), corner);
         // No plane: no receiver.
         const auto has_plane = hn::Ne(hn::DemoteTo(f, hn::IfThenElseZero(plane, one)), hn::Zero(f));
-        hn::Store(hn::IfThenElseZero(has_plane, margin), f, batch.margin + i);
+        hn::StoreInterleaved4(away(n.x), away(n.y), away(n.z),
+            hn::IfThenElseZero(has_plane, margin), f, batch.receiver[i]);
     }
 }
 
 /// Asks for the memory of what later batches read.
 HWY_INLINE void ask_ahead(const LightMesh& mesh, std::span<const HitRun> runs, std::size_t run)
 {
-    constexpr std::size_t kCorners = 24, kIndex = 64; // runs ahead
+    constexpr std::size_t kCorners = 24, kIndex = 64, kRun = 256; // runs ahead
+    if (run + kRun < runs.size()) __builtin_prefetch(&runs[run + kRun]);
     if (run + kIndex < runs.size()) __builtin_prefetch(&mesh.index[runs[run + kIndex].item]);
     if (run + kCorners >= runs.size()) return;
     const glm::uvec3& index = mesh.index[runs[run + kCorners].item];
@@ -108,41 +105,11 @@ HWY_INLINE void copy_run(const LightMesh& mesh, const HitRun& run, std::size_t i
         std::memcpy(batch.corner[k][i], static_cast<const void*>(&mesh.corner[index[k]]), 16);
 }
 
-/// Writes a run's receiver to its samples.
-HWY_INLINE void spread(
-    const HitRun& run, const RunBatch& batch, std::size_t i, TileReceivers& receivers)
+void find(const LightMesh& mesh, const HitTile& hits, TileReceivers& receivers)
 {
-    constexpr int kShort = 6; // samples: one at a time takes less
-    const std::size_t block = std::size_t(run.block) * kBlockSamples;
-    if (std::popcount(run.samples) <= kShort) {
-        const float x = batch.away[0][i], y = batch.away[1][i], z = batch.away[2][i],
-                    margin = batch.margin[i];
-        for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
-            const std::size_t at = block + std::size_t(std::countr_zero(rest));
-            receivers.x[at] = x;
-            receivers.y[at] = y;
-            receivers.z[at] = z;
-            receivers.margin[at] = margin;
-        }
-        return;
-    }
-    for (int first = 0; first < kBlockSamples; first += kLanes) {
-        const std::uint64_t lanes = lane_bits(run.samples, first);
-        if (lanes == 0) continue;
-        const truth chosen = truth_of_bits(lanes);
-        const std::size_t at = block + std::size_t(first);
-        store_where(chosen, batch.away[0][i], receivers.x.data() + at);
-        store_where(chosen, batch.away[1][i], receivers.y.data() + at);
-        store_where(chosen, batch.away[2][i], receivers.z.data() + at);
-        store_where(chosen, batch.margin[i], receivers.margin.data() + at);
-    }
-}
-
-void find(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> facing,
-    TileReceivers& receivers)
-{
-    std::fill(facing.begin(), facing.end(), std::uint64_t(0));
-    RunBatch batch{};
+    RunBatch batch;
+    receivers.run.resize(hits.runs.size());
+    FacingRun* next = receivers.run.data();
     Effort effort;
     for (std::size_t first = 0; first < hits.runs.size(); first += kRuns) {
         const auto runs = hits.runs.subspan(first, std::min(kRuns, hits.runs.size() - first));
@@ -150,17 +117,22 @@ void find(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> f
             ask_ahead(mesh, hits.runs, first + i);
             copy_run(mesh, runs[i], i, batch);
         }
+        for (std::size_t i = runs.size(); i % hn::Lanes(Doubles()) != 0; ++i)
+            copy_run(mesh, runs[0], i, batch); // to fill a register
         set_up(mesh.space.directional, runs.size(), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const HitRun& run = runs[i];
             int side = batch.volume[i] > 0 ? 1 : -1;
             if (batch.volume[i] == 0) [[unlikely]]
                 side = light_side(mesh.space, mesh.corners(run.item), effort);
-            if (side != run.eye_side) continue;
-            facing[run.block] |= run.samples;
-            spread(run, batch, i, receivers);
+            // Always written, kept where it faces the light: guessing which do costs more.
+            std::memcpy(next->receiver, batch.receiver[i], sizeof next->receiver);
+            next->samples = run.samples;
+            next->block = run.block;
+            next += side == run.eye_side;
         }
     }
+    receivers.count = std::size_t(next - receivers.run.data());
 }
 
 } // namespace
@@ -173,10 +145,9 @@ namespace firsthit {
 
 HWY_EXPORT(find);
 
-void find_receivers(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> facing,
-    TileReceivers& receivers)
+void find_receivers(const LightMesh& mesh, const HitTile& hits, TileReceivers& receivers)
 {
-    HWY_DYNAMIC_DISPATCH(find)(mesh, hits, facing, receivers);
+    HWY_DYNAMIC_DISPATCH(find)(mesh, hits, receivers);
 }
 
 } // namespace firsthit

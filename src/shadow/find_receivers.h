@@ -8,25 +8,28 @@
 
 #include <cstdint>
 #include <span>
+#include <span>
 
 namespace firsthit {
 
-/// The receivers (exact/shadow_ray.h) of a tile's samples, structure of arrays in tile order. Only
-/// those that face the light are defined.
-struct TileReceivers {
-    Buffer<float> x, y, z; // away
-    Buffer<float> margin;
+/// The samples of one block on one triangle that faces the light.
+struct FacingRun {
+    float receiver[4];         // away, margin (exact/shadow_ray.h)
+    std::uint64_t samples = 0; // bit k: sample 64 * block + k
+    std::uint32_t block = 0;
+};
+static_assert(sizeof(FacingRun) == 32, "two in a cache line");
 
-    void resize(std::size_t samples)
-    {
-        for (auto* values : {&x, &y, &z, &margin}) values->resize(samples);
-    }
+/// Those of a tile, in the order of HitTile::runs; a worker's memory.
+struct TileReceivers {
+    Buffer<FacingRun> run;
+    std::size_t count = 0;
+
+    std::span<const FacingRun> runs() const { return run.span().first(count); }
 };
 
-/// A bit for each sample of each block: its item's plane has light and eye on the same side,
-/// exactly, and neither lies in it.
-/// facing  (blocks)
-void find_receivers(const LightMesh& mesh, const HitTile& hits, std::span<std::uint64_t> facing,
-    TileReceivers& receivers);
+/// Finds the runs of a tile whose item's plane has light and eye on the same side, exactly, and
+/// neither lies in it.
+void find_receivers(const LightMesh& mesh, const HitTile& hits, TileReceivers& receivers);
 
 } // namespace firsthit

@@ -78,7 +78,7 @@ void test_triangles(const CellTest& cell, const LeafWork& work, LeafMemory& leaf
     const float xm = leaf.middle_x, ym = leaf.middle_y;
     const SampleBounds& b = leaf.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
-    fill_tables(slots, leaf);
+    fill_groups(cell.samples, slots, leaf);
 
     for (const SeenTriangle& seen : work.first)
         if (may_shadow(seen, b))
@@ -108,15 +108,14 @@ void test_samples(const LightMesh& mesh, const LeafWork& work, const LightPoints
     LeafMemory& leaf, std::uint8_t* shadowed)
 {
     const std::span<const IrregularSample> samples = work.samples;
-    leaf.count = samples.size();
     frame_cell(mesh, work.bounds, leaf);
-    copy_samples(samples, leaf);
     test_triangles({mesh, samples, points, leaf_edge_error(leaf)}, work, leaf);
-    for (std::size_t group = 0; group < leaf.shadowed.size(); ++group)
-        for (std::uint32_t rest = leaf.shadowed[group]; rest; rest &= rest - 1) {
-            const std::size_t k = group * kGroup + std::size_t(std::countr_zero(rest));
-            shadowed[samples[k].id] = 1;
-        }
+    for (std::size_t group = 0; group < leaf.shadowed.size(); ++group) {
+        const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
+        for (std::uint32_t rest = leaf.shadowed[group] & ((1u << count) - 1); rest;
+             rest &= rest - 1)
+            shadowed[samples[first + std::size_t(std::countr_zero(rest))].id] = 1;
+    }
 }
 
 } // namespace
@@ -131,14 +130,14 @@ HWY_EXPORT(test_samples);
 
 void reserve(LeafMemory& memory, std::size_t samples)
 {
-    const std::size_t padded = std::bit_ceil(samples + kGroup); // seldom more than before
+    const std::size_t padded = std::bit_ceil(most_groups(samples) * kGroup); // seldom more
     for (auto* values : {&memory.x, &memory.y, &memory.w}) values->resize(padded);
     memory.item.resize(padded);
     memory.has_item.resize(padded / kGroup);
     memory.shadowed.resize(padded / kGroup);
+    memory.first.resize(padded / kGroup + 1);
     memory.table.resize(padded / kGroup / kTableBoxes + 1);
-    for (auto* values : {&memory.group_x, &memory.group_y, &memory.reach_x, &memory.reach_y})
-        values->resize(memory.table.size() * kTableBoxes);
+    memory.box.resize(memory.table.size() * kTableBoxes);
 }
 
 void test_leaf(const LightMesh& mesh, const LeafWork& work, const LightPoints& points,

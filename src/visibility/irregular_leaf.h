@@ -42,7 +42,7 @@ struct ShadowCounts {
     }
 };
 
-inline constexpr int kGroup = 16;     // samples that are tested at once
+inline constexpr int kGroup = 16;     // samples that are tested at once, at most
 inline constexpr int kLeafBatch = 64; // triangles that are set up together
 
 /// Structure of arrays. Edges and w are affine in the sample's offset from the cell's middle.
@@ -58,20 +58,24 @@ struct LeafBatch {
     alignas(64) float lit_below[kLeafBatch];     // certainly not below that
 };
 
+/// The least x, -x, y and -y of a group's samples.
+struct GroupBox {
+    float side[4];
+};
+
 /// One worker's memory, and its samples while it is at a cell.
 struct LeafMemory {
     Buffer<float> x, y, w;          // offsets from the middle; whole groups
     Buffer<std::uint32_t> item;     // of the groups whose has_item is set
     Buffer<std::uint8_t> has_item;  // (groups)
-    Buffer<std::uint16_t> shadowed; // (groups) a bit for each sample
-    Buffer<float> group_x, group_y; // (groups) middle of each group
-    Buffer<float> reach_x, reach_y; // (groups) how far its samples lie from there, at most
+    Buffer<std::uint32_t> first;    // (groups + 1) number of its first sample
+    Buffer<std::uint16_t> shadowed; // (groups) a bit for each lane; set beyond its samples
+    Buffer<GroupBox> box;           // (groups) of its samples' offsets
     Buffer<OverlapTable> table;     // (chunks) of 64 groups
     LeafBatch batch;
     ShadowCounts counts;
 
     // The cell.
-    std::size_t count = 0;
     SampleBounds bounds;
     float largest_w = 0; // the largest size of a w
     float middle_x = 0, middle_y = 0;
@@ -80,6 +84,12 @@ struct LeafMemory {
     double least_margin = 0, largest_margin = 0; // in units of w times the plane's distance
     double least_corner = 0, largest_corner = 0; // the same, for a triangle's corner at distance 1
 };
+
+/// Groups of so many samples: of two groups in a row, one alone would not hold all.
+inline std::size_t most_groups(std::size_t samples)
+{
+    return samples / (kGroup / 2) + 2;
+}
 
 /// Room for cells of so many samples.
 void reserve(LeafMemory& memory, std::size_t samples);

@@ -22,13 +22,13 @@ namespace HWY_NAMESPACE {
 /// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
 HWY_NOINLINE inline std::uint32_t settle_group(const LightMesh& mesh,
     std::span<const IrregularSample> samples, const LightPoints& points, std::uint32_t triangle,
-    std::size_t first, std::uint32_t open, LeafMemory& leaf)
+    std::size_t group, std::uint32_t open, LeafMemory& leaf)
 {
     const Corners corners = mesh.corners(triangle);
     std::uint32_t shadowed = 0;
     for (; open; open &= open - 1) {
-        const std::size_t k = first + std::size_t(std::countr_zero(open));
-        if (k >= leaf.count) break;
+        const std::size_t k = leaf.first[group] + std::size_t(std::countr_zero(open));
+        if (k >= leaf.first[group + 1]) break;
         ++leaf.counts.uncertain;
         const glm::vec3 d = points.in_light_space(samples[k].id);
         if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
@@ -50,8 +50,7 @@ HWY_INLINE const std::uint32_t* items_of(const CellTest& cell, std::size_t group
     std::uint32_t* items = leaf.item.data() + group * kGroup;
     if (leaf.has_item[group]) return items;
     leaf.has_item[group] = 1;
-    const std::size_t first = group * kGroup,
-                      count = std::min<std::size_t>(kGroup, leaf.count - first);
+    const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
     for (std::size_t k = 0; k < kGroup; ++k)
         items[k] = cell.points.item && k < count ? cell.points.item[cell.samples[first + k].id]
                                                  : 0xFFFFFFFFu;
@@ -105,8 +104,8 @@ HWY_INLINE void test_groups(
                 std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
-                shadowed |= settle_group(cell.mesh, cell.samples, cell.points, batch.triangle[i],
-                    group * kGroup, open, leaf);
+                shadowed |= settle_group(
+                    cell.mesh, cell.samples, cell.points, batch.triangle[i], group, open, leaf);
         }
         if (shadowed == before) continue;
         leaf.shadowed[group] = std::uint16_t(shadowed);
@@ -122,13 +121,17 @@ HWY_INLINE std::uint64_t groups_inside(
     const Group d;
     const LeafBatch& batch = leaf.batch;
     const auto outside_below = hn::Set(d, -2 * cell.edge_error);
+    const auto half = hn::Set(d, 0.5f), room = hn::Set(d, 1 + 0x1p-20f);
     std::uint64_t inside = 0;
     for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
         const std::size_t at = chunk * kTableBoxes + k;
-        const auto x = hn::Load(d, leaf.group_x.data() + at),
-                   y = hn::Load(d, leaf.group_y.data() + at);
-        const auto rx = hn::Load(d, leaf.reach_x.data() + at),
-                   ry = hn::Load(d, leaf.reach_y.data() + at);
+        auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
+        hn::LoadInterleaved4(d, leaf.box[at].side, x0, minus_x1, y0, minus_y1);
+        // Middles, and how far the samples lie from there at most.
+        const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),
+                   y = hn::Mul(half, hn::Sub(y0, minus_y1));
+        const auto rx = hn::Mul(room, hn::Max(hn::Sub(hn::Neg(minus_x1), x), hn::Sub(x, x0)));
+        const auto ry = hn::Mul(room, hn::Max(hn::Sub(hn::Neg(minus_y1), y), hn::Sub(y, y0)));
         auto most = hn::Set(d, 1.0f);
         for (int e = 0; e < 3; ++e) {
             const auto gx = hn::Set(d, batch.gx[e][i]), gy = hn::Set(d, batch.gy[e][i]);

@@ -65,83 +65,140 @@ inline void frame_cell(const LightMesh& mesh, const SampleBounds& bounds, LeafMe
     leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
-/// Copies the samples as offsets from the middle, whole groups. What fills up the last group is
-/// infinitely near to the light.
-inline void copy_samples(std::span<const IrregularSample> samples, LeafMemory& leaf)
+/// How many of sixteen samples and the next one make a group: samples of one square of 4x4, which
+/// have consecutive ids (base/tile_order.h), stay together where they can. Ids mostly rise; where
+/// they do not, any number does.
+HWY_INLINE std::size_t group_size(const IrregularSample* samples)
+{
+    const auto square = [&](std::size_t k) { return samples[k].id / kGroup; };
+    const std::uint32_t last = square(kGroup - 1);
+    if (square(kGroup) != last || square(0) == last) return kGroup;
+    std::size_t before = 0; // the number of the last one that is not of the last square
+    for (std::size_t step = kGroup / 2; step > 0; step /= 2)
+        before += square(before + step) != last ? step : 0;
+    return before + 1;
+}
+
+/// Vectors over a group's samples.
+struct GroupBounds {
+    using V = hn::Vec<Group>;
+    V x, minus_x, y, minus_y, w; // the least of each
+
+    HWY_INLINE void add(const V& sample_x, const V& sample_y, const V& sample_w)
+    {
+        x = hn::Min(x, sample_x), minus_x = hn::Min(minus_x, hn::Neg(sample_x));
+        y = hn::Min(y, sample_y), minus_y = hn::Min(minus_y, hn::Neg(sample_y));
+        const auto depth =
+            hn::IfThenElse(hn::Eq(sample_w, sample_w), sample_w, hn::Neg(hn::Inf(Group())));
+        w = hn::Min(w, depth);
+    }
+};
+
+#if HWY_TARGET != HWY_SCALAR
+/// Over the register's parts of four lanes.
+template <class D>
+HWY_INLINE auto least_of_blocks(D, hn::Vec<D> v)
+{
+    if constexpr (hn::MaxLanes(D()) <= 4) {
+        return v;
+    } else {
+        const hn::Half<D> half;
+        return least_of_blocks(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+    }
+}
+#endif
+
+/// box = the least of x, -x, y, -y.
+HWY_INLINE void store_box(const GroupBounds& bounds, float* box)
+{
+#if HWY_TARGET == HWY_SCALAR
+    box[0] = hn::GetLane(bounds.x), box[1] = hn::GetLane(bounds.minus_x);
+    box[2] = hn::GetLane(bounds.y), box[3] = hn::GetLane(bounds.minus_y);
+#else
+    const Group d;
+    const hn::Repartition<std::uint64_t, Group> pairs;
+    const auto fold = [&](auto a, auto b) {
+        return hn::Min(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
+    };
+    const auto xs = hn::BitCast(pairs, fold(bounds.x, bounds.minus_x)),
+               ys = hn::BitCast(pairs, fold(bounds.y, bounds.minus_y));
+    const auto fours = hn::Min(hn::BitCast(d, hn::InterleaveLower(pairs, xs, ys)),
+        hn::BitCast(d, hn::InterleaveUpper(pairs, xs, ys)));
+    hn::StoreU(least_of_blocks(d, fours), hn::CappedTag<float, 4>(), box);
+#endif
+}
+
+/// Copies a group's samples as offsets from the middle. What fills it up is where its first sample
+/// is, infinitely near to the light.
+/// from  whole registers
+HWY_INLINE GroupBounds copy_group(
+    const IrregularSample* from, std::size_t count, std::size_t group, LeafMemory& leaf)
 {
     const Group d;
-    const std::size_t lanes = hn::Lanes(d);
-    const std::size_t padded = (samples.size() + kGroup - 1) / kGroup * kGroup;
-    for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(padded);
-    leaf.item.resize(padded);
-    leaf.has_item.resize(padded / kGroup);
-    leaf.shadowed.resize(padded / kGroup);
-    std::fill_n(leaf.shadowed.data(), padded / kGroup, std::uint16_t(0));
+    const auto infinite = hn::Inf(d);
     const auto xm = hn::Set(d, leaf.middle_x), ym = hn::Set(d, leaf.middle_y);
-    const auto copy = [&](const IrregularSample* from, std::size_t to) {
+    GroupBounds bounds{infinite, infinite, infinite, infinite, infinite};
+    for (std::size_t part = 0; part < kGroup; part += hn::Lanes(d)) {
         auto x = xm, y = xm, w = xm, id = xm;
-        hn::LoadInterleaved4(d, &from->x, x, y, w, id);
-        hn::Store(hn::Sub(x, xm), d, leaf.x.data() + to);
-        hn::Store(hn::Sub(y, ym), d, leaf.y.data() + to);
+        hn::LoadInterleaved4(d, &from[part].x, x, y, w, id);
+        const auto inside = hn::FirstN(d, count > part ? count - part : 0);
+        x = hn::Sub(hn::IfThenElse(inside, x, hn::Set(d, from->x)), xm);
+        y = hn::Sub(hn::IfThenElse(inside, y, hn::Set(d, from->y)), ym);
+        w = hn::IfThenElse(inside, w, infinite);
+        bounds.add(x, y, w);
+        const std::size_t to = group * kGroup + part;
+        hn::Store(x, d, leaf.x.data() + to);
+        hn::Store(y, d, leaf.y.data() + to);
         hn::Store(w, d, leaf.w.data() + to);
-    };
-    std::size_t k = 0;
-    for (; k + lanes <= samples.size(); k += lanes) copy(&samples[k], k);
-    for (; k < padded; k += lanes) {
+    }
+    return bounds;
+}
+
+/// Copies the samples group by group, and enters the groups into the tables.
+/// slots  of offsets from the middle
+inline void fill_groups(
+    std::span<const IrregularSample> samples, const BoxSlots& slots, LeafMemory& leaf)
+{
+    constexpr std::size_t kAhead = 8 * kGroup; // samples: their memory is asked for
+    const std::size_t most = most_groups(samples.size());
+    for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(most * kGroup);
+    leaf.first.resize(most + 1);
+    leaf.shadowed.resize(most);
+    const std::size_t most_tables = (most + kTableBoxes - 1) / kTableBoxes;
+    leaf.table.resize(most_tables);
+    leaf.box.resize(most_tables * kTableBoxes);
+    std::size_t group = 0;
+    for (std::size_t k = 0; k < samples.size(); ++group) {
+        const IrregularSample* from = &samples[k];
+        const std::size_t left = samples.size() - k;
+        if (left > kAhead + kGroup)
+            for (std::size_t line = 0; line < kGroup; line += 4)
+                __builtin_prefetch(from + kAhead + line);
+        const std::size_t count = left > kGroup ? group_size(from) : left;
         IrregularSample last[kGroup];
-        for (std::size_t i = 0; i < lanes; ++i) {
-            last[i] = samples[std::min(k + i, samples.size() - 1)];
-            if (k + i >= samples.size()) last[i].w = std::numeric_limits<float>::infinity();
+        if (left < kGroup) {
+            std::copy_n(from, left, last);
+            std::fill_n(last + left, kGroup - left, last[0]);
+            from = last;
         }
-        copy(last, k);
+        const GroupBounds bounds = copy_group(from, count, group, leaf);
+        float* box = leaf.box[group].side;
+        store_box(bounds, box);
+        const float farthest = hn::GetLane(hn::MinOfLanes(Group(), bounds.w));
+        OverlapTable& table = leaf.table[group / kTableBoxes];
+        if (group % kTableBoxes == 0) table = {};
+        table.add(int(group % kTableBoxes), {box[0], box[2], -box[1], -box[3], farthest, 0}, slots);
+        leaf.first[group] = std::uint32_t(k);
+        leaf.shadowed[group] = std::uint16_t(0xFFFFu << count);
+        k += count;
     }
-    std::fill_n(leaf.has_item.data(), padded / kGroup, std::uint8_t(0));
-}
-
-inline SampleBounds bounds_of_group(const LeafMemory& leaf, std::size_t group)
-{
-    const Group d;
-    const std::size_t lanes = hn::Lanes(d), first = group * kGroup;
-    auto x0 = hn::Load(d, leaf.x.data() + first), x1 = x0;
-    auto y0 = hn::Load(d, leaf.y.data() + first), y1 = y0;
-    const auto depth = [&](std::size_t k) {
-        const auto w = hn::Load(d, leaf.w.data() + k);
-        return hn::IfThenElse(hn::Eq(w, w), w, hn::Neg(hn::Inf(d)));
-    };
-    auto w = depth(first);
-    for (std::size_t k = first + lanes; k < first + kGroup; k += lanes) {
-        const auto x = hn::Load(d, leaf.x.data() + k), y = hn::Load(d, leaf.y.data() + k);
-        x0 = hn::Min(x0, x), x1 = hn::Max(x1, x);
-        y0 = hn::Min(y0, y), y1 = hn::Max(y1, y);
-        w = hn::Min(w, depth(k));
-    }
-    const auto least = [&](auto v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
-    const auto most = [&](auto v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    return {least(x0), least(y0), most(x1), most(y1), least(w), 0};
-}
-
-inline void fill_tables(const BoxSlots& slots, LeafMemory& leaf)
-{
-    const std::size_t groups = leaf.shadowed.size();
-    const std::size_t chunks = (groups + kTableBoxes - 1) / kTableBoxes;
-    leaf.table.resize(chunks);
-    for (auto* values : {&leaf.group_x, &leaf.group_y, &leaf.reach_x, &leaf.reach_y})
-        values->resize(chunks * kTableBoxes);
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        OverlapTable& table = leaf.table[chunk];
-        table = {};
-        const std::size_t first = chunk * kTableBoxes, last = std::min(groups, first + kTableBoxes);
-        for (std::size_t group = first; group < last; ++group) {
-            const SampleBounds box = bounds_of_group(leaf, group);
-            table.add(int(group - first), box, slots);
-            const float x = 0.5f * (box.x0 + box.x1), y = 0.5f * (box.y0 + box.y1);
-            leaf.group_x[group] = x;
-            leaf.group_y[group] = y;
-            leaf.reach_x[group] = std::max(box.x1 - x, x - box.x0) * (1 + 0x1p-20f);
-            leaf.reach_y[group] = std::max(box.y1 - y, y - box.y0) * (1 + 0x1p-20f);
-        }
-        table.finish();
-    }
+    leaf.first[group] = std::uint32_t(samples.size());
+    leaf.shadowed.resize(group);
+    leaf.item.resize(group * kGroup);
+    leaf.has_item.resize(group);
+    std::fill_n(leaf.has_item.data(), group, std::uint8_t(0));
+    leaf.table.resize((group + kTableBoxes - 1) / kTableBoxes);
+    for (OverlapTable& table : leaf.table.span()) table.finish();
 }
 
 } // namespace HWY_NAMESPACE
