@@ -196,7 +196,7 @@ class RunTextures {
     // By slot; whole registers fit.
     alignas(64) float corner_[9][kRuns];
     alignas(64) Pair uv_[3];       // at0, to1, to2
-    alignas(64) Pair gradient_[3];      // of u, v, 1
+    alignas(64) Pair gradient_[3]; // of u, v, 1
 };
 
 } // namespace HWY_NAMESPACE
