@@ -181,10 +181,13 @@ HWY_INLINE void refresh_blocks(ItemTile& tile)
         tile.stale[word] = 0;
     }
     if (!changed) return;
-    float least = tile.block_w[0];
-    for (int block = 1; block < tile.blocks(); ++block)
-        least = std::min(least, tile.block_w[block]);
-    tile.least_w = least;
+    auto least = hn::Set(d, tile.block_w[0]);
+    int block = 0;
+    for (; block + int(hn::Lanes(d)) <= tile.blocks(); block += int(hn::Lanes(d)))
+        least = hn::Min(least, hn::Load(d, tile.block_w + block));
+    tile.least_w = hn::GetLane(hn::MinOfLanes(d, least));
+    for (; block < tile.blocks(); ++block)
+        tile.least_w = std::min(tile.least_w, tile.block_w[block]);
 }
 
 /// Whether all of the triangle is certainly behind what is stored.
