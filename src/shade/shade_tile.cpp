@@ -20,6 +20,7 @@
 #include "shade/background-inl.h"
 #include "shade/block_surface-inl.h"
 #include "shade/phong_block-inl.h"
+#include "shade/run_textures-inl.h"
 #include "shade/sample_normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,8 +61,10 @@ constexpr std::size_t kManyRuns = 5;
 /// than the caches, waiting for them is most of the time.
 class RunPrefetch {
   public:
-    RunPrefetch(const ShadeArrays& arrays, std::span<const HitRun> runs)
+    /// uv  whether texture coordinates will be asked for, and the positions with them
+    RunPrefetch(const ShadeArrays& arrays, std::span<const HitRun> runs, bool uv)
         : arrays_(arrays),
+          uv_(uv),
           runs_(arrays.scene->vertices > kCachedVertices && arrays.normal
                     ? runs
                     : std::span<const HitRun>())
@@ -69,8 +72,11 @@ class RunPrefetch {
     }
 
     /// Of the runs after number `run`.
-    HWY_INLINE void advance(std::size_t run)
+    ///
+    /// reached  whether light has reached the block before: else these want no normals either
+    HWY_INLINE void advance(std::size_t run, bool reached)
     {
+        if (!uv_ && !reached) return;
         for (const std::size_t end = std::min(run + 2 * kAhead, runs_.size()); index_ < end;
              ++index_) {
             hwy::Prefetch(&arrays_.scene->index[runs_[index_].item]);
@@ -80,11 +86,11 @@ class RunPrefetch {
              ++corner_) {
             const HitRun& next = runs_[corner_];
             const glm::uvec3& corner = arrays_.scene->index[next.item];
-            const bool with_position = arrays_.uv || !next.has_plane();
+            const bool with_position = uv_ || !next.has_plane();
             for (int k = 0; k < 3; ++k) {
                 if (with_position) hwy::Prefetch(&arrays_.position[corner[k]]);
                 hwy::Prefetch(&arrays_.normal[corner[k]]);
-                if (arrays_.uv) hwy::Prefetch(&arrays_.uv[corner[k]]);
+                if (uv_) hwy::Prefetch(&arrays_.uv[corner[k]]);
             }
         }
     }
@@ -94,6 +100,7 @@ class RunPrefetch {
     static constexpr std::size_t kCachedVertices = 1 << 15; // 24 bytes each
 
     const ShadeArrays& arrays_;
+    bool uv_;
     std::span<const HitRun> runs_;
     std::size_t index_ = 0;
     std::size_t corner_ = 0;
@@ -114,8 +121,11 @@ HWY_INLINE void spread_normals(const TileShade& tile, std::span<const HitRun> ru
 }
 
 /// Works out what the block's targets need of its runs' triangles.
+///
+/// textures  null: each run works out its own; else has the runs, from number `first` on
 HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
-    std::uint64_t reached, bool planes, SampleCorners& corners, BlockSurface& surface)
+    const RunTextures* textures, std::size_t first, std::uint64_t reached, bool planes,
+    SampleCorners& corners, BlockSurface& surface)
 {
     const ShadeArrays& arrays = tile.arrays;
     const Scene& scene = *arrays.scene;
@@ -124,10 +134,10 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
 
     BlockMaterials materials;
     for (const HitRun& run : runs) {
-        const std::uint32_t material =
-            scene.materials.size() == 1 ? 0 : scene.parts[scene.owner[run.item]].material;
+        const RunTextures::Run* found =
+            textures ? &(*textures)[first + std::size_t(&run - runs.data())] : nullptr;
+        const std::uint32_t material = found ? found->material : material_of(scene, run.item);
         materials.add(material, run.samples);
-        const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         const bool seen = planes || (run.samples & reached) != 0;
         if (seen) {
             HitRun spare;
@@ -140,6 +150,13 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
                 spread_normal(run_normal(arrays, scene.index[run.item], glm::vec3(known.plane)),
                     run, tile.hits, surface);
         }
+        if (found) {
+            if (found->texture)
+                spread_uv(textures->uv(found->slot), textures->gradients(found->slot),
+                    found->texture, run, tile.hits, surface);
+            continue;
+        }
+        const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         if (!texture && !planes) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
         if (planes) spread_geometric(geometric_normal(plane), run, surface);
@@ -158,6 +175,18 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
     return materials;
 }
 
+/// Hits of whole pictures are kept longer than caches can hold them.
+constexpr std::uint32_t kBlocksAhead = 4;
+
+HWY_INLINE void ask_for_hits(const HitTile& hits, std::uint32_t block)
+{
+    constexpr int kLine = 64 / sizeof(float);
+    if (block >= hits.blocks()) return;
+    for (const float* plane : {hits.t, hits.u, hits.v})
+        for (int k = 0; k < kBlockSamples; k += kLine)
+            hwy::Prefetch(plane + block * std::uint32_t(kBlockSamples) + k);
+}
+
 void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
 {
     const ShadeLights lights(world.lights);
@@ -169,7 +198,11 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
 
     SampleCorners corners(world.position.size());
     BlockSurface surface = {};
-    RunPrefetch prefetch(arrays, hits.runs);
+    const bool ahead = !planes && arrays.uv && !world.scene->textures.empty();
+    RunPrefetch prefetch(arrays, hits.runs, arrays.uv && !ahead);
+    bool lit_before = true;
+    RunTextures textures;
+    std::size_t first_found = 0, found = 0; // runs that `textures` has
     for (std::size_t r = 0; r < hits.runs.size();) {
         // Runs of one block lie side by side, at most 64.
         const std::uint32_t block = hits.runs[r].block;
@@ -177,10 +210,17 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
         while (end < hits.runs.size() && end - r < kBlockSamples && hits.runs[end].block == block)
             ++end;
         const std::span<const HitRun> runs = hits.runs.subspan(r, end - r);
-        prefetch.advance(end);
+        prefetch.advance(end, lit_before);
         const std::uint64_t reached = reached_samples(tile, block);
-        const BlockMaterials materials =
-            find_surfaces(tile, runs, reached, planes, corners, surface);
+        lit_before = reached != 0;
+        ask_for_hits(hits, block + kBlocksAhead);
+        if (ahead && end > found) {
+            first_found = r;
+            found = std::min(hits.runs.size(), r + RunTextures::kRuns);
+            textures.find(arrays, hits.frame, hits.runs.subspan(r));
+        }
+        const BlockMaterials materials = find_surfaces(tile, runs, ahead ? &textures : nullptr,
+            r - first_found, reached, planes, corners, surface);
         for (const BlockMaterials::Group& group : materials)
             shade_samples(
                 tile, {block, runs, group.material, group.samples, reached, planes}, surface);

@@ -179,6 +179,15 @@ HWY_INLINE void append(
     append(found, mask, list);
 }
 
+/// Triangles of which nothing is in front of the eye: careful_box would find no box, one by one. A flat
+/// corner in front has 1/z > 0 in place of z; where one is no number, the triangle is not seen either.
+HWY_INLINE hn::Mask<Words> all_behind(const Corner (&corner)[3])
+{
+    const TinyList::D d;
+    const auto nearest = hn::Max(corner[0].z(), hn::Max(corner[1].z(), corner[2].z()));
+    return hn::RebindMask(Words(), hn::Le(nearest, hn::Zero(d)));
+}
+
 void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
 {
     const Words d;
@@ -224,8 +233,12 @@ void find_range(std::size_t range, TinyTriangles kind, ViewMemory& memory)
         const auto steps_x = hn::Sub(x1, x0), steps_y = hn::Sub(y1, y0);
         const auto behind = hn::Lt(x0, zero);
         const auto holds = hn::Gt(hn::Min(steps_x, steps_y), minus_one);
-        const auto seen = hn::And(hn::FirstN(d, last - t), hn::Or(behind, holds));
+        auto seen = hn::And(hn::FirstN(d, last - t), hn::Or(behind, holds));
         if (hn::AllFalse(d, seen)) continue;
+        if (!hn::AllFalse(d, behind)) [[unlikely]] {
+            seen = hn::AndNot(all_behind(corner), seen);
+            if (hn::AllFalse(d, seen)) continue;
+        }
         const auto inner =
             hn::And(hn::Gt(hn::Min(x0, y0), zero), hn::And(hn::Lt(x1, last_x), hn::Lt(y1, last_y)));
         const auto side = hn::Max(steps_x, steps_y);

@@ -20,8 +20,8 @@ inline constexpr float kDepthSlack = 0x1p-18f;
 /// down to it are compared exactly.
 inline constexpr float kGreatestW = 0x1p120f;
 
-/// Triangles that are set up together.
-inline constexpr int kBatch = 64;
+/// Triangles that are set up together: at first in a tile, and at most (measured).
+inline constexpr int kFirstBatch = 8, kBatch = 32;
 
 /// How a triangle of the batch is rasterised.
 enum class Kernel : std::int32_t {

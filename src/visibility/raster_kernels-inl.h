@@ -91,6 +91,68 @@ HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, c
     }
 }
 
+/// Triangle i over all samples of a block; its edges hold for whole blocks. As raster_box, but without
+/// a jump that depends on the box or on what a register finds.
+template <bool kCovered>
+HWY_INLINE void raster_block(const ViewMemory& view, ItemTile& tile, int i, int bx, int by)
+{
+    const Samples d;
+    const Batch& batch = tile.batch;
+    const hn::RebindToUnsigned<Samples> du;
+    constexpr int kColumns = columns(Samples()), kRows = rows(Samples());
+    constexpr int kRegisters = kBlockSamples / (kColumns * kRows);
+    const LaneOffsets<Samples> lane(d);
+    const int block = by * tile.blocks_x() + bx;
+    const float x0 = float(bx * kBlock - batch.origin_x[i]);
+    const float y0 = float(by * kBlock - batch.origin_y[i]);
+    const auto inside_from = hn::Set(d, kEdgeError), maybe_from = hn::Set(d, -kEdgeError);
+    const auto slack_factor = hn::Set(d, kDepthSlack);
+    const auto id = hn::Set(du, batch.triangle[i]);
+    float* const stored_w = tile.w.data() + block * kBlockSamples;
+    std::uint32_t* const stored_item = tile.item.data() + block * kBlockSamples;
+    hn::Mask<Samples> open[kRegisters], sure[kRegisters];
+    auto any_open = hn::Ne(inside_from, inside_from); // none
+    HWY_UNROLL(4)
+    for (int k = 0; k < kRegisters; ++k) {
+        const int at = k * kColumns * kRows;
+        const auto px = hn::Add(hn::Set(d, x0 + float(block_x(at))), lane.x);
+        const auto py = hn::Add(hn::Set(d, y0 + float(block_y(at))), lane.y);
+        const auto edge = [&](int e) {
+            return hn::MulAdd(hn::Set(d, batch.gx[e][i]), px,
+                hn::MulAdd(hn::Set(d, batch.gy[e][i]), py, hn::Set(d, batch.c[e][i])));
+        };
+        auto inside = hn::Eq(px, px), maybe = inside;
+        if constexpr (!kCovered) {
+            const auto least = hn::Min(edge(0), hn::Min(edge(1), edge(2)));
+            maybe = hn::Gt(least, maybe_from);
+            inside = hn::Gt(least, inside_from);
+        }
+        const auto w = inverse_depth<false>(d, batch, i, px, py);
+        const auto stored = hn::Load(d, stored_w + at);
+        const auto ahead = hn::Sub(w, stored), slack = hn::Mul(stored, slack_factor);
+        const auto win = hn::And(inside, hn::Gt(ahead, slack));
+        sure[k] = inside;
+        open[k] = hn::AndNot(hn::Or(win, hn::Lt(ahead, hn::Neg(slack))), maybe);
+        any_open = hn::Or(any_open, open[k]);
+        hn::BlendedStore(w, win, d, stored_w + at);
+        hn::BlendedStore(id, hn::RebindMask(du, win), du, stored_item + at);
+    }
+    if (hn::AllFalse(d, any_open)) [[likely]]
+        return;
+    for (int k = 0; k < kRegisters; ++k) {
+        if (hn::AllFalse(d, open[k])) continue;
+        const int at = k * kColumns * kRows;
+        const int dx = block_x(at), dy = block_y(at);
+        const auto px = hn::Add(hn::Set(d, x0 + float(dx)), lane.x);
+        const auto py = hn::Add(hn::Set(d, y0 + float(dy)), lane.y);
+        alignas(64) float w_lanes[16];
+        hn::Store(inverse_depth<false>(d, batch, i, px, py), d, w_lanes);
+        settle_lanes(view, tile, i,
+            {bx * kBlock + dx, by * kBlock + dy, block * kBlockSamples + at, kColumns},
+            bits(d, open[k]), bits(d, sure[k]), w_lanes);
+    }
+}
+
 HWY_INLINE void mark_stale(ItemTile& tile, const Box& box)
 {
     for (int by = box.y0 / kBlock; by <= box.y1 / kBlock; ++by) {
@@ -119,10 +181,13 @@ HWY_INLINE void refresh_blocks(ItemTile& tile)
         tile.stale[word] = 0;
     }
     if (!changed) return;
-    float least = tile.block_w[0];
-    for (int block = 1; block < tile.blocks(); ++block)
-        least = std::min(least, tile.block_w[block]);
-    tile.least_w = least;
+    auto least = hn::Set(d, tile.block_w[0]);
+    int block = 0;
+    for (; block + int(hn::Lanes(d)) <= tile.blocks(); block += int(hn::Lanes(d)))
+        least = hn::Min(least, hn::Load(d, tile.block_w + block));
+    tile.least_w = hn::GetLane(hn::MinOfLanes(d, least));
+    for (; block < tile.blocks(); ++block)
+        tile.least_w = std::min(tile.least_w, tile.block_w[block]);
 }
 
 /// Whether all of the triangle is certainly behind what is stored.
@@ -172,15 +237,12 @@ inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
             if (count < lanes) todo &= (std::uint64_t(1) << count) - 1;
             for (; todo; todo &= todo - 1) {
                 const int k = std::countr_zero(todo);
-                const int x = (bx + k) * kBlock, y = by * kBlock;
-                const Box whole{x, y, x + kBlock - 1, y + kBlock - 1};
-                const Box part{std::max(x, box.x0), std::max(y, box.y0), std::min(whole.x1, box.x1),
-                    std::min(whole.y1, box.y1)};
                 if (covered >> k & 1)
-                    raster_box<true, false>(Samples(), view, tile, i, whole);
+                    raster_block<true>(view, tile, i, bx + k, by);
                 else
-                    raster_box<false, false>(Samples(), view, tile, i, part);
-                mark_stale(tile, part);
+                    raster_block<false>(view, tile, i, bx + k, by);
+                const int block = by * tile.blocks_x() + bx + k;
+                tile.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
             }
         }
     }

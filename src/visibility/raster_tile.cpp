@@ -157,6 +157,8 @@ void raster_entries(const ViewMemory& view, std::size_t number, ItemTile& tile)
 {
     const auto entries = view.entry.span().subspan(
         view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
+    // The nearest come first: what they hide is asked of all that follow.
+    int full = kFirstBatch;
     clear(tile);
     merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
     for (std::size_t first = 0; first < entries.size(); first += ItemTile::kChunk) {
@@ -170,9 +172,10 @@ void raster_entries(const ViewMemory& view, std::size_t number, ItemTile& tile)
             const float nearest_w = z > 0 ? 1 / z : std::numeric_limits<float>::infinity();
             if (entry_hidden(tile, entry, nearest_w)) continue;
             gather(view, entry, nearest_w, tile.batch);
-            if (tile.batch.count == kBatch) {
+            if (tile.batch.count == full) {
                 raster_batch(view, tile);
                 refresh_blocks(tile);
+                full = std::min(2 * full, kBatch);
             }
         }
     }

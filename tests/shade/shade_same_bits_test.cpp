@@ -93,6 +93,21 @@ TEST(ShadeSameBits, OfRandomTriangles)
     }
 }
 
+TEST(ShadeSameBits, OfTexturedTrianglesSeenInBlockAfterBlock)
+{
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TileScene tile(64, 40.0f);
+        fill_with_soup(tile, random);
+        fill_with_soup(tile, random);
+        tile.cast();
+        // More than are looked at together, of fewer triangles.
+        ASSERT_GT(tile.runs.size(), 200u);
+        expect_same_bits(tile, "soup");
+    }
+}
+
 TEST(ShadeSameBits, OfLightsOfEveryKindPartlyInShadow)
 {
     for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -160,6 +175,19 @@ TEST(ShadeSameBits, OfTrianglesAsSmallAsSamples)
         std::fill_n(lit + 16 * 16, 64, 0.0f);
         expect_same_bits(tile, "dust, in shadow", {lit, 16 * 16});
     }
+}
+
+TEST(ShadeSameBits, OfTexturedTrianglesAsSmallAsSamples)
+{
+    std::mt19937 random(3);
+    TileScene tile(64, 80.0f);
+    tile.scene.textures.push_back(noise_texture(37, 64));
+    tile.add_material().texture = 0;
+    fill_with_dust(tile, random, 0.3f);
+    for (glm::vec2& uv : tile.scene.uv) uv = glm::vec2(random_point(random, 3));
+    tile.cast();
+    ASSERT_GT(tile.runs.size(), 400u);
+    expect_same_bits(tile, "dust");
 }
 
 TEST(ShadeSameBits, OfTheLastVertexOfItsArrays)

@@ -4,8 +4,11 @@
 #include "items.h"
 #include "visibility/bins.h"
 #include "visibility/raster_tile.h"
+#include "visibility/triangle_box.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace firsthit::test {
 namespace {
@@ -14,7 +17,8 @@ namespace {
 struct Binned {
     ViewMemory memory;
 
-    Binned(const World& world, const View& view, TinyTriangles tiny = TinyTriangles::items)
+    Binned(const World& world, const View& view, TinyTriangles tiny = TinyTriangles::items,
+        CornerSpace space = CornerSpace::eye)
     {
         Tasks tasks(1);
         const View filled = checked(view);
@@ -25,7 +29,7 @@ struct Binned {
         memory.tile_of.resize(std::size_t(std::max(memory.pencil.width, memory.pencil.height)));
         for (std::size_t k = 0; k < memory.tile_of.size(); ++k)
             memory.tile_of[k] = std::uint8_t(k / 16);
-        project_vertices(world.position, memory, tasks);
+        project_vertices(world.position, memory, tasks, space);
         bin_triangles(world.scene->index, memory, tasks, tiny);
     }
 };
@@ -139,6 +143,34 @@ TEST(BinTriangles, LeavesOutWhatIsBehindOrBeside)
     world.add({0, 0, 1}, {1e-4f, 0, 1}, {0, 1e-4f, 1}); // between samples
     world.finish();
     EXPECT_EQ(Binned(world.world, straight_view(kSize, kSize, kSize)).memory.in_view_count, 0u);
+}
+
+TEST(BinTriangles, FindsAroundTheEyeWhatEachTrianglesBoxSays)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> number(-1, 1);
+    TestWorld world;
+    const auto corner = [&] {
+        const float x = number(random), y = number(random), z = number(random);
+        return glm::vec3(x, y, random() % 4 ? z : 0.0f); // in the eye's plane as well
+    };
+    for (int k = 0; k < 3000; ++k) {
+        const glm::vec3 a = corner(), b = corner(), c = corner();
+        world.add(a, b, c);
+    }
+    world.finish();
+    const View view = straight_view(kSize, kSize, kSize);
+    for (const CornerSpace space : {CornerSpace::eye, CornerSpace::flat}) {
+        Binned binned(world.world, view, TinyTriangles::entries, space);
+        std::vector<bool> found(world.world.scene->index.size()), boxed(found.size());
+        for (const TileEntry& entry : binned.memory.entry.span()) found[entry.triangle] = true;
+        InView box;
+        for (std::uint32_t t = 0; t < boxed.size(); ++t)
+            boxed[t] = box_of(t, binned.memory.index[t], binned.memory, box);
+        EXPECT_EQ(found, boxed);
+        EXPECT_GT(std::count(found.begin(), found.end(), true), 500);
+        EXPECT_GT(std::count(found.begin(), found.end(), false), 500);
+    }
 }
 
 TEST(RasterTile, StoresDepthsWithinTheirBound)
