@@ -175,6 +175,7 @@ HWY_NOINLINE void test_clusters(
             kept += found != 0;
         }
         for (std::size_t s = 0; s < kept; ++s) {
+            __builtin_prefetch(&test.grid.number[clusters.slot[s]]);
             for (std::uint32_t rest = clusters.found[s]; rest; rest &= rest - 1) {
                 pairs.triangle[pairs.count] = first + std::uint32_t(std::countr_zero(rest));
                 pairs.slot[pairs.count++] = clusters.slot[s];

@@ -150,16 +150,20 @@ bool look_up_wide(GridTest& test, GridBatch& batch, std::uint32_t k)
     const std::uint32_t i = batch.boxes.inside[k];
     const std::uint64_t low = batch.boxes.low[i], high = batch.boxes.high[i];
     const StripRange strips = batch.boxes.strips[k];
+    static_assert(2 * kMostSamples / kEight <= GridBatch::kMeetings);
+    if (batch.meeting_count + kMostSamples / kEight > GridBatch::kMeetings)
+        test_meetings(test, batch);
+    const std::size_t before = batch.meeting_count;
     std::uint32_t samples = 0;
     for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) {
         const GridRun run = run_of(test.grid, strip, low, high);
         samples += run.last - run.first + kEight;
-        if (samples > kMostSamples) return false;
-    }
-    for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) {
-        const GridRun run = run_of(test.grid, strip, low, high);
+        if (samples > kMostSamples) {
+            batch.meeting_count = before;
+            return false;
+        }
         for (std::uint32_t first = run.first; first < run.last; first += kEight) {
-            if (batch.meeting_count == GridBatch::kMeetings) test_meetings(test, batch);
+            __builtin_prefetch(&test.grid.place[first]);
             batch.meeting[batch.meeting_count++] = {i, first};
         }
     }
