@@ -139,8 +139,6 @@ void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
 /// n h = k^2 w. It is lower where samples are dense.
 std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
 {
-    std::size_t total = 0;
-    for (std::size_t k = 0; k < shares * kStripRows; ++k) total += grid.row_counts[k];
     grid.strip_of.resize(kStripRows);
     std::size_t strip = 0, samples = 0, rows = 0;
     for (std::size_t row = 0; row < kStripRows; ++row) {
