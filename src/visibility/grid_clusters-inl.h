@@ -70,8 +70,8 @@ HWY_INLINE void box_around(
     box_high = hn::GetLane(high);
 }
 
-/// Looks up the samples around all clusters of the boxes. The triangles of those that are too wide are
-/// left in boxes.inside. Returns how many clusters these are.
+/// Looks up the samples around all clusters of the boxes. The triangles of those that reach over too
+/// many are left in boxes.inside. Returns how many clusters these are.
 HWY_NOINLINE std::size_t look_up_clusters(
     const SampleGrid& grid, std::size_t triangles, GridBoxes& boxes, GridClusters& clusters)
 {
@@ -97,20 +97,18 @@ HWY_NOINLINE std::size_t look_up_clusters(
             continue;
         }
         if (is_behind(grid, strips, to.low, to.high)) continue;
-        for (std::uint32_t k = 0; k < 32; k += 8)
-            __builtin_prefetch(&grid.place.data()[run.first + k]);
-        __builtin_prefetch(&grid.place.data()[second.first]);
-        __builtin_prefetch(&grid.place.data()[second.first + 8]);
-        __builtin_prefetch(&grid.item.data()[run.first]);
-        __builtin_prefetch(&grid.item.data()[run.first + 16]);
-        __builtin_prefetch(&grid.item.data()[second.first]);
+        for (std::uint32_t k = 0; k < 32; k += 8) __builtin_prefetch(&grid.place[run.first + k]);
+        for (std::uint32_t k = 0; k < 32; k += 16) __builtin_prefetch(&grid.item[run.first + k]);
+        for (std::uint32_t k = 0; k < 16; k += 8) __builtin_prefetch(&grid.place[second.first + k]);
+        __builtin_prefetch(&grid.item[second.first]);
         to.run[0] = run, to.run[1] = second;
         clusters.count += samples > 0;
     }
     return wide;
 }
 
-/// The samples in a cluster's box. Returns how many.
+/// The samples in a cluster's box. Returns how many. Their numbers are compressed, not their words: that
+/// would copy a table to the stack each time.
 HWY_INLINE std::size_t choose_samples(
     const SampleGrid& grid, const GridClusters::Cluster& cluster, GridClusters& clusters)
 {
@@ -166,6 +164,7 @@ HWY_NOINLINE void test_clusters(
         const std::size_t count = choose_samples(test.grid, cluster, clusters);
         if (count == 0) continue;
         test_samples(test.grid, boxes, cluster.first, count, clusters);
+        test.counts.triangles += GridClusters::kSize;
         const std::uint32_t first = std::uint32_t(boxes.first) + cluster.first;
         std::size_t kept = 0;
         for (std::size_t s = 0; s < count; ++s) {

@@ -192,13 +192,13 @@ void test_range(LightMesh& mesh, std::size_t range, const SampleGrid& grid,
     for (std::size_t t = first; t < last; t += GridBoxes::kTriangles) {
         const std::size_t end = std::min(last, t + GridBoxes::kTriangles);
         find_boxes(mesh, t, end, batch.boxes);
-        test.counts.triangles += batch.boxes.inside_count;
         if (batch.clusters.pause.is_over()) {
             const std::size_t wide = look_up_clusters(grid, end - t, batch.boxes, batch.clusters);
             batch.clusters.pause.after(2 * GridClusters::kSize * wide <= end - t);
             test_clusters(test, batch.boxes, batch.clusters, batch.pairs);
         }
         sort_boxes(grid, batch.boxes);
+        test.counts.triangles += batch.boxes.inside_count;
         look_up_runs(test, batch);
         for (std::size_t k = 0; k < batch.wide_count; ++k)
             if (!look_up_wide(test, batch, batch.wide[k]))

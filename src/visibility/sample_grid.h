@@ -46,7 +46,7 @@ struct SortedSample {
 
 /// Kept from frame to frame.
 struct SampleGrid {
-    /// Samples that a register may read after the last one; they lie nowhere.
+    /// Samples that may be read or asked for after the last one; they lie nowhere.
     static constexpr std::size_t kSpare = 32;
 
     SampleBounds bounds;
