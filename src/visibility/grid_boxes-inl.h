@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "visibility/grid_runs.h"
 #include "visibility/light_mesh.h"
 #include "visibility/place_words-inl.h"
 #include "visibility/sample_grid.h"
@@ -24,12 +25,26 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The strips of a box, ends included.
-struct StripRange {
-    std::uint16_t first, last;
-};
-
 inline constexpr std::uint64_t kUpperHalf = 0xFFFFFFFF00000000;
+
+/// Batches that are not asked for something: twice as many each time that it is in vain.
+struct GridPause {
+    static constexpr std::uint32_t kLongest = 15;
+    std::uint32_t left = 0, next = 0;
+
+    /// Whether to ask this batch.
+    bool is_over()
+    {
+        if (left == 0) return true;
+        --left;
+        return false;
+    }
+    void after(bool worthwhile)
+    {
+        next = worthwhile ? 0 : std::min(2 * next + 1, kLongest);
+        left = next;
+    }
+};
 
 /// Some triangles, and what is known of them. Words are as GridPlace.
 struct GridBoxes {
@@ -38,7 +53,8 @@ struct GridBoxes {
 
     std::size_t first = 0; // number of the first one
     alignas(64) std::uint64_t corner[3][kRoom];
-    alignas(64) std::uint64_t low[kRoom]; // the box; the lowest w is 0
+    // The box; the lowest w is 0. Low is greater than high where the triangle is not to be asked.
+    alignas(64) std::uint64_t low[kRoom];
     alignas(64) std::uint64_t high[kRoom];
 
     /// Edge e of a sample: the sum of x and y of (sample - corner 0) times these, and `beyond`; not
@@ -47,8 +63,7 @@ struct GridBoxes {
     alignas(64) std::uint64_t beyond[kRoom];          // of the edges at corner 0
     alignas(64) std::uint64_t beyond_opposite[kRoom]; // of the one opposite
 
-    // Batches that are not asked for what is behind all samples: twice as many each time that few are.
-    std::uint32_t pause = 0, next_pause = 0;
+    GridPause pause; // of asking for what is behind all samples
 
     // Which of them
     std::size_t inside_count = 0, unseen_count = 0;
@@ -64,7 +79,8 @@ HWY_INLINE void append(
     const hn::Rebind<std::uint32_t, Words> d;
     const std::uint8_t byte[8] = {std::uint8_t(bits_of_words(chosen))};
     const auto lanes = hn::LoadMaskBits(d, byte);
-    hn::StoreU(hn::Compress(hn::Iota(d, std::uint32_t(first)), lanes), d, to + count);
+    const auto numbers = hn::Add(hn::Iota(d, 0), hn::Set(d, std::uint32_t(first)));
+    hn::StoreU(hn::Compress(numbers, lanes), d, to + count);
     count += hn::CountTrue(Words(), chosen);
 }
 
@@ -74,16 +90,34 @@ HWY_INLINE void gather_places(
 {
     const glm::uvec3* const index = mesh.index.data() + first;
     const GridPlace* const place = mesh.place.data();
-    for (std::size_t i = 0; i < last - first; ++i)
+    constexpr std::size_t kAhead = 128; // triangles whose index is asked for
+    const std::size_t ahead = std::min(kAhead, mesh.index.size() - last);
+    for (std::size_t i = 0; i < last - first; ++i) {
+        __builtin_prefetch(index + i + ahead);
         for (int k = 0; k < 3; ++k)
             std::memcpy(&boxes.corner[k][i], &place[index[i][k]], sizeof(GridPlace));
+    }
 }
 
-/// The edges of triangles from number i on, whose boxes are at most `most` wide and high: products
-/// stay within 32 bits. Others', and those whose corners lie beyond the grid or whose sides
-/// roundings might have changed, are 0: every sample may be inside.
-HWY_INLINE void find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high,
-    std::size_t i, GridBoxes& boxes)
+/// Edges of a register of triangles, as GridBoxes has them.
+struct GridEdges {
+    Word normal[3];
+    Word beyond, beyond_opposite;
+
+    /// from  corner 0 to a sample
+    HWY_INLINE hn::Mask<Words> outside(Word from) const
+    {
+        const Word e0 = hn::Add(products16(from, normal[0]), beyond),
+                   e1 = hn::Add(products16(from, normal[1]), beyond_opposite),
+                   e2 = hn::Add(products16(from, normal[2]), beyond);
+        return below_zero(hn::Or(hn::Or(e0, e1), e2));
+    }
+};
+
+/// The edges of triangles whose boxes are less than 2^14 wide and high: products stay within 32 bits.
+/// Others', and those whose corners lie beyond the grid or whose sides roundings might have changed,
+/// are 0: every sample may be inside.
+HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high)
 {
     const Words d;
     constexpr std::uint64_t kLarge = 0xC000C00000000000; // in x or y: 2^14 and more
@@ -114,17 +148,9 @@ HWY_INLINE void find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word 
     const Word side = hn::IfThenElse(turned, hn::Sub(zero, area), area);
     // |area| > error: no sum here leaves 63 bits.
     const auto certain = hn::AndNot(unfit, below_zero(hn::Sub(error, side)));
-    const auto store = [&](Word v, std::uint64_t* to) {
-        hn::Store(hn::IfThenElseZero(certain, v), d, to + i);
-    };
-    const auto store_normal = [&](Word n, std::uint64_t* to) {
-        store(difference16(hn::Xor(n, turn), turn), to);
-    };
-    store_normal(n0, boxes.normal[0]);
-    store_normal(n1, boxes.normal[1]);
-    store_normal(n2, boxes.normal[2]);
-    store(error, boxes.beyond);
-    store(hn::Add(error, side), boxes.beyond_opposite);
+    const auto kept = [&](Word v) { return hn::IfThenElseZero(certain, v); };
+    const auto inward = [&](Word n) { return kept(difference16(hn::Xor(n, turn), turn)); };
+    return {{inward(n0), inward(n1), inward(n2)}, kept(error), kept(hn::Add(error, side))};
 }
 
 /// The edges of the eights of triangles whose bits are set.
@@ -135,8 +161,11 @@ HWY_NOINLINE void find_all_edges(const SampleGrid& grid, std::uint32_t groups, G
         const std::size_t first = 8 * std::size_t(std::countr_zero(groups));
         for (std::size_t i = first; i < first + 8; i += hn::Lanes(d)) {
             const auto load = [&](const std::uint64_t* from) { return hn::Load(d, from + i); };
-            find_edges(grid, load(boxes.corner[0]), load(boxes.corner[1]), load(boxes.corner[2]),
-                load(boxes.low), load(boxes.high), i, boxes);
+            const GridEdges edges = find_edges(grid, load(boxes.corner[0]), load(boxes.corner[1]),
+                load(boxes.corner[2]), load(boxes.low), load(boxes.high));
+            for (int e = 0; e < 3; ++e) hn::Store(edges.normal[e], d, boxes.normal[e] + i);
+            hn::Store(edges.beyond, d, boxes.beyond + i);
+            hn::Store(edges.beyond_opposite, d, boxes.beyond_opposite + i);
         }
     }
 }
@@ -149,11 +178,11 @@ HWY_NOINLINE void find_boxes(
     boxes.first = first;
     gather_places(mesh, first, last, boxes);
     boxes.inside_count = boxes.unseen_count = 0;
-    for (std::size_t i = 0; i < last - first; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < hwy::RoundUpTo(last - first, 8); i += hn::Lanes(d)) {
         const Word a = hn::Load(d, boxes.corner[0] + i), b = hn::Load(d, boxes.corner[1] + i),
                    c = hn::Load(d, boxes.corner[2] + i);
         const Word low = least16(least16(a, b), c), high = greatest16(greatest16(a, b), c);
-        const auto given = hn::FirstN(d, last - first - i);
+        const auto given = hn::FirstN(d, std::max(i, last - first) - i);
         const auto unseen = hn::And(given, any16(high, kLastPlace, 0xFFFF));
         if (!hn::AllFalse(d, unseen)) [[unlikely]]
             append(i, unseen, boxes.unseen, boxes.unseen_count);
@@ -161,39 +190,24 @@ HWY_NOINLINE void find_boxes(
         const auto beside =
             hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kLastPlace, kUpperHalf));
         const auto inside = hn::AndNot(hn::Or(beside, unseen), given);
-        if (hn::AllFalse(d, inside)) continue;
-        hn::Store(hn::And(low, hn::Set(d, kUpperHalf)), d, boxes.low + i);
-        hn::Store(high, d, boxes.high + i);
+        const Word upper = hn::Set(d, kUpperHalf);
+        hn::Store(hn::IfThenElse(inside, hn::And(low, upper), upper), d, boxes.low + i);
+        hn::Store(hn::IfThenElseZero(inside, high), d, boxes.high + i);
         append(i, inside, boxes.inside, boxes.inside_count);
     }
 }
 
-HWY_INLINE StripRange strips_of(const SampleGrid& grid, std::uint64_t low, std::uint64_t high)
-{
-    constexpr int kRow = 48 + kStripShift;
-    return {grid.strip_of[low >> kRow], grid.strip_of[high >> kRow]};
-}
-
-/// Leaves those out that lie behind all samples around them, as the far side of a body does. Returns
-/// a bit for each eight triangles of which some are left.
+/// Finds the strips of those inside, and leaves those out that lie behind all samples around them, as
+/// the far side of a body does. Returns a bit for each eight triangles of which some are left.
 HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& boxes)
 {
     static_assert(GridBoxes::kTriangles == 32 * 8);
-    constexpr int kColumn = 32 + kDepthShift;
     std::size_t kept = 0;
     std::uint32_t groups = 0;
     for (std::size_t k = 0; k < boxes.inside_count; ++k) {
         const std::uint32_t i = boxes.inside[k];
-        const std::uint64_t low = boxes.low[i], high = boxes.high[i];
-        const StripRange strips = strips_of(grid, low, high);
-        const std::size_t column = low >> kColumn & (kDepthColumns - 1),
-                          last_column = high >> kColumn & (kDepthColumns - 1);
-        const std::uint16_t farthest =
-            std::min(grid.farthest[strips.first * kDepthColumns + column],
-                grid.farthest[strips.last * kDepthColumns + column]);
-        // What else may lie between is not known of larger ones.
-        const bool small = (last_column - column <= 1) & (strips.last - strips.first <= 1);
-        const bool behind = small & (std::uint16_t(high) < farthest);
+        const StripRange strips = strips_of(grid, boxes.low[i], boxes.high[i]);
+        const bool behind = is_behind(grid, strips, boxes.low[i], boxes.high[i]);
         boxes.inside[kept] = i;
         boxes.strips[kept] = strips;
         kept += !behind;
@@ -203,25 +217,21 @@ HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& b
     return groups;
 }
 
-/// Boxes and edges of triangles [first, last) that may shadow samples.
-HWY_INLINE void sort_boxes(const LightMesh& mesh, const SampleGrid& grid, std::size_t first,
-    std::size_t last, GridBoxes& boxes)
+/// The strips of those inside, of which some are left out, and edges.
+HWY_INLINE void sort_boxes(const SampleGrid& grid, GridBoxes& boxes)
 {
-    constexpr std::uint32_t kLongestPause = 15;
-    find_boxes(mesh, first, last, boxes);
-    std::uint32_t groups = ~0u >> (31 - (last - first - 1) / 8);
-    if (boxes.pause > 0) {
-        --boxes.pause;
-        for (std::size_t k = 0; k < boxes.inside_count; ++k)
-            boxes.strips[k] =
-                strips_of(grid, boxes.low[boxes.inside[k]], boxes.high[boxes.inside[k]]);
-    } else {
+    std::uint32_t groups = 0;
+    if (boxes.pause.is_over()) {
         const std::size_t before = boxes.inside_count;
         groups = leave_out_behind(grid, boxes);
         // It costs a third of what is done with a triangle that is left.
-        const bool many = 8 * (before - boxes.inside_count) >= before;
-        boxes.next_pause = many ? 0 : std::min(2 * boxes.next_pause + 1, kLongestPause);
-        boxes.pause = boxes.next_pause;
+        boxes.pause.after(8 * (before - boxes.inside_count) >= before);
+    } else {
+        for (std::size_t k = 0; k < boxes.inside_count; ++k) {
+            const std::uint32_t i = boxes.inside[k];
+            boxes.strips[k] = strips_of(grid, boxes.low[i], boxes.high[i]);
+            groups |= 1u << (i / 8);
+        }
     }
     find_all_edges(grid, groups, boxes);
 }

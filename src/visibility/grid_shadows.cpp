@@ -8,6 +8,7 @@
 #include "base/simd.h"
 
 #include "visibility/grid_boxes-inl.h"
+#include "visibility/grid_clusters-inl.h"
 #include "visibility/grid_shadows.h"
 #include "visibility/settle_pairs-inl.h"
 
@@ -35,6 +36,7 @@ struct GridBatch {
     static constexpr std::size_t kRoom = kMeetings + 2;
 
     GridBoxes boxes;
+    GridClusters clusters;
     GridPairs pairs;
     std::size_t meeting_count = 0, more_count = 0, wide_count = 0;
     Meeting meeting[kRoom];
@@ -48,21 +50,6 @@ struct GridBatch {
     std::uint8_t found_bits[kRoom]; // and which
 };
 
-/// Samples one behind the other.
-struct GridRun {
-    std::uint32_t first, last;
-};
-
-/// The samples of a strip that the columns of a box hold.
-HWY_INLINE GridRun run_of(
-    const SampleGrid& grid, std::uint32_t number, std::uint64_t low, std::uint64_t high)
-{
-    const GridStrip& strip = grid.strips[number];
-    const std::uint16_t* start = &grid.start[strip.first];
-    return {strip.sample + start[(low >> 32 & 0xFFFF) >> strip.shift],
-        strip.sample + start[((high >> 32 & 0xFFFF) >> strip.shift) + 1]};
-}
-
 /// The samples that may be shadowed, a bit each.
 HWY_INLINE std::uint32_t test_meeting(
     const GridTest& test, const GridBoxes& boxes, const GridBatch::Meeting& meeting)
@@ -71,9 +58,9 @@ HWY_INLINE std::uint32_t test_meeting(
     const std::size_t i = meeting.number;
     const auto set = [&](const std::uint64_t& v) { return hn::Set(d, v); };
     const Word low = set(boxes.low[i]), high = set(boxes.high[i]), a = set(boxes.corner[0][i]);
-    const Word n0 = set(boxes.normal[0][i]), n1 = set(boxes.normal[1][i]),
-               n2 = set(boxes.normal[2][i]);
-    const Word beyond = set(boxes.beyond[i]), opposite = set(boxes.beyond_opposite[i]);
+    const GridEdges edges{
+        {set(boxes.normal[0][i]), set(boxes.normal[1][i]), set(boxes.normal[2][i])},
+        set(boxes.beyond[i]), set(boxes.beyond_opposite[i])};
     const hn::Rebind<std::uint32_t, Words> d32;
     const auto own = hn::Set(d32, std::uint32_t(boxes.first + i));
     std::uint32_t found = 0;
@@ -81,12 +68,8 @@ HWY_INLINE std::uint32_t test_meeting(
         const Word sample = hn::LoadU(d, test.grid.place.data() + meeting.first + k);
         const auto item = hn::LoadU(d32, test.grid.item.data() + meeting.first + k);
         const Word in_box = greatest16(least16(sample, high), low);
-        const Word from = difference16(sample, a);
-        const Word e0 = hn::Add(products16(from, n0), beyond),
-                   e1 = hn::Add(products16(from, n1), opposite),
-                   e2 = hn::Add(products16(from, n2), beyond);
         const auto inside =
-            hn::AndNot(below_zero(hn::Or(hn::Or(e0, e1), e2)), hn::Eq(in_box, sample));
+            hn::AndNot(edges.outside(difference16(sample, a)), hn::Eq(in_box, sample));
         found |= (bits_of_words(inside) & std::uint32_t(bits(d32, hn::Ne(item, own)))) << k;
     }
     return found;
@@ -167,16 +150,20 @@ bool look_up_wide(GridTest& test, GridBatch& batch, std::uint32_t k)
     const std::uint32_t i = batch.boxes.inside[k];
     const std::uint64_t low = batch.boxes.low[i], high = batch.boxes.high[i];
     const StripRange strips = batch.boxes.strips[k];
+    static_assert(2 * kMostSamples / kEight <= GridBatch::kMeetings);
+    if (batch.meeting_count + kMostSamples / kEight > GridBatch::kMeetings)
+        test_meetings(test, batch);
+    const std::size_t before = batch.meeting_count;
     std::uint32_t samples = 0;
     for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) {
         const GridRun run = run_of(test.grid, strip, low, high);
         samples += run.last - run.first + kEight;
-        if (samples > kMostSamples) return false;
-    }
-    for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) {
-        const GridRun run = run_of(test.grid, strip, low, high);
+        if (samples > kMostSamples) {
+            batch.meeting_count = before;
+            return false;
+        }
         for (std::uint32_t first = run.first; first < run.last; first += kEight) {
-            if (batch.meeting_count == GridBatch::kMeetings) test_meetings(test, batch);
+            __builtin_prefetch(&test.grid.place[first]);
             batch.meeting[batch.meeting_count++] = {i, first};
         }
     }
@@ -203,7 +190,15 @@ void test_range(LightMesh& mesh, std::size_t range, const SampleGrid& grid,
     GridTest test{mesh, grid, points, shadowed, {}};
     GridBatch batch;
     for (std::size_t t = first; t < last; t += GridBoxes::kTriangles) {
-        sort_boxes(mesh, grid, t, std::min(last, t + GridBoxes::kTriangles), batch.boxes);
+        const std::size_t end = std::min(last, t + GridBoxes::kTriangles);
+        find_boxes(mesh, t, end, batch.boxes);
+        if (batch.clusters.pause.is_over()) {
+            const std::size_t wide = look_up_clusters(grid, end - t, batch.boxes, batch.clusters);
+            batch.clusters.pause.after(2 * GridClusters::kSize * wide <= end - t);
+            test_clusters(test, batch.boxes, batch.clusters, batch.pairs);
+        }
+        sort_boxes(grid, batch.boxes);
+        test.counts.triangles += batch.boxes.inside_count;
         look_up_runs(test, batch);
         for (std::size_t k = 0; k < batch.wide_count; ++k)
             if (!look_up_wide(test, batch, batch.wide[k]))
@@ -215,7 +210,6 @@ void test_range(LightMesh& mesh, std::size_t range, const SampleGrid& grid,
                 may_shadow(unseen, grid.bounds))
                 *left++ = unseen;
         }
-        test.counts.triangles += batch.boxes.inside_count;
     }
     settle_pairs(test, batch.pairs);
     mesh.range_count[range] = std::uint32_t(left - &mesh.in_view[first]);

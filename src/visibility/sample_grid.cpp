@@ -97,7 +97,8 @@ HWY_EXPORT(place_corners);
 namespace {
 
 // Measured: a higher strip has longer runs, a lower one cuts more triangles.
-constexpr double kStripHeight = 4;           // in distances of samples
+constexpr double kStripHeight = 3; // in distances of samples
+constexpr double kWanted = kStripHeight * kStripHeight * double(kStripRows); // samples times rows
 constexpr std::uint64_t kNowhere = 1u << 16; // no place: its `nothing` is something
 
 GridAxes axes_of(const SampleBounds& bounds, bool turned)
@@ -133,18 +134,20 @@ void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
 
 /// From counts (shares, rows) to strips of rows, and to where each share's samples of each strip go.
 /// Returns the number of samples.
+///
+/// n samples that fill h rows of a width w lie d = sqrt(h w / n) apart: so a strip is k d high where
+/// n h = k^2 w. It is lower where samples are dense.
 std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
 {
-    std::size_t total = 0;
-    for (std::size_t k = 0; k < shares * kStripRows; ++k) total += grid.row_counts[k];
-    const double wanted = kStripHeight * std::sqrt(double(total));
     grid.strip_of.resize(kStripRows);
-    std::size_t strip = 0, samples = 0;
+    std::size_t strip = 0, samples = 0, rows = 0;
     for (std::size_t row = 0; row < kStripRows; ++row) {
         std::size_t here = 0;
         for (std::size_t s = 0; s < shares; ++s) here += grid.row_counts[s * kStripRows + row];
-        if (samples > 0 && double(samples) + 0.5 * double(here) > wanted) ++strip, samples = 0;
+        if (samples > 0 && (double(samples) + 0.5 * double(here)) * (double(rows) + 0.5) > kWanted)
+            ++strip, samples = rows = 0;
         samples += here;
+        rows += samples > 0;
         grid.strip_of[row] = std::uint16_t(strip);
     }
     const std::size_t strips = strip + 1;

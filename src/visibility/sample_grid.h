@@ -46,8 +46,8 @@ struct SortedSample {
 
 /// Kept from frame to frame.
 struct SampleGrid {
-    /// Samples that a register may read after the last one; they lie nowhere.
-    static constexpr std::size_t kSpare = 16;
+    /// Samples that may be read or asked for after the last one; they lie nowhere.
+    static constexpr std::size_t kSpare = 32;
 
     SampleBounds bounds;
     GridAxes axes;

@@ -79,6 +79,7 @@ HWY_INLINE void fill_lanes(
         }
         const IrregularSample& sample = test.grid.samples[test.grid.number[pairs.slot[pair]]];
         lanes.x[k] = sample.x, lanes.y[k] = sample.y, lanes.w[k] = sample.w;
+        __builtin_prefetch(&test.shadowed[sample.id]);
     }
 }
 
@@ -135,8 +136,11 @@ HWY_INLINE Inside inside_edges(const LightFace& face, const PairLanes& lanes)
 HWY_NOINLINE inline void settle_pairs(GridTest& test, GridPairs& pairs)
 {
     const std::size_t lanes = hn::Lanes(Pairs());
-    for (std::size_t k = 0; k < pairs.count; ++k)
+    for (std::size_t k = 0; k < pairs.count; ++k) {
         __builtin_prefetch(&test.grid.samples[test.grid.number[pairs.slot[k]]]);
+        const glm::uvec3& index = test.mesh.index[pairs.triangle[k]];
+        for (int c = 0; c < 3; ++c) __builtin_prefetch(&test.mesh.corner[index[c]]);
+    }
     PairLanes some;
     for (std::size_t first = 0; first < pairs.count; first += lanes) {
         fill_lanes(test, pairs, first, some);
