@@ -1,8 +1,8 @@
 // embree_tree.h - Embree's shadow rays, as benchmarks take them: 8-wide, coherent, default quality.
 #pragma once
 
-#include "visibility/light_mesh.h"
-#include "visibility/see_points.h"
+#include "irregular/light_mesh.h"
+#include "irregular/see_points.h"
 
 #include <embree3/rtcore.h>
 

@@ -11,7 +11,7 @@
 #include "hits/spot_cone-inl.h"
 #include "shadow/collect_hits.h"
 #include "shadow/to_light-inl.h"
-#include "visibility/face_samples-inl.h"
+#include "irregular/face_samples-inl.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,7 @@
 #include "hits/hit_tile.h"
 #include "hits/spot_cone.h"
 #include "shadow/find_receivers.h"
-#include "visibility/see_points.h"
+#include "irregular/see_points.h"
 
 #include <cstdint>
 #include <span>

@@ -7,9 +7,9 @@
 #include "hits/lit_tile.h"
 #include "shadow/find_receivers.h"
 #include "shadow/umbra.h"
-#include "visibility/grid_shadows.h"
-#include "visibility/irregular_zbuffer.h"
-#include "visibility/see_points.h"
+#include "irregular/grid_shadows.h"
+#include "irregular/zbuffer.h"
+#include "irregular/see_points.h"
 
 #include <firsthit/scene.h>
 
@@ -40,7 +40,7 @@ struct ShadowWorker {
 enum class ShadowPlan {
     automatic, // by the numbers of both
     grid,      // small triangles by the grid (grid_shadows.h), the others as below
-    cells,     // all sorted into patches and cells (irregular_zbuffer.h)
+    cells,     // all sorted into patches and cells (irregular/zbuffer.h)
 };
 
 /// Kept from frame to frame.

@@ -4,7 +4,7 @@
 
 #include "base/buffer.h"
 #include "hits/hit_tile.h"
-#include "visibility/light_mesh.h"
+#include "irregular/light_mesh.h"
 
 #include <cstdint>
 #include <span>

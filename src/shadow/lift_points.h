@@ -1,8 +1,8 @@
 // lift_points.h - moves points off the triangles that they lie on (exact/shadow_ray.h).
 #pragma once
 
-#include "visibility/light_mesh.h"
-#include "visibility/see_points.h"
+#include "irregular/light_mesh.h"
+#include "irregular/see_points.h"
 
 #include <cstdint>
 

@@ -4,7 +4,7 @@
 #include "base/buffer.h"
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
-#include "visibility/see_points.h"
+#include "irregular/see_points.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
 // umbra.cpp - tiles that a wall hides from a light as a whole.
 #include "shadow/umbra.h"
 
-#include "visibility/cover_choice.h"
-#include "visibility/shadowed_box.h"
+#include "irregular/cover_choice.h"
+#include "irregular/shadowed_box.h"
 
 #include <glm/common.hpp>
 

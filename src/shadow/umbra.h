@@ -12,7 +12,7 @@
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
 #include "shadow/tile_hull.h"
-#include "visibility/irregular_samples.h"
+#include "irregular/samples.h"
 
 #include <firsthit/scene.h>
 

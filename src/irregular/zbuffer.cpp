@@ -1,0 +1,217 @@
+// zbuffer.cpp - which points can a light not see?
+#include "irregular/zbuffer.h"
+
+namespace firsthit {
+namespace {
+
+constexpr std::size_t kCellSamples = 768;   // wanted in a cell
+constexpr std::size_t kManySamples = 4096;  // more than these are divided again
+constexpr std::size_t kManyTriangles = 128; // where there are more than these triangles
+
+/// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
+/// where large triangles would be copied too often.
+void sort(const LightMesh& mesh, std::span<const IrregularSample> samples,
+    std::span<const SampleRange> sample_ranges, std::size_t sample_count,
+    std::span<const SeenTriangle> triangles, std::span<const SampleRange> triangle_ranges,
+    const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
+{
+    cells.bounds = bounds;
+    if (sample_count == 0) triangle_ranges = {};
+    std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
+    for (;; wanted = (wanted + 3) / 4) {
+        cells.grid = cell_grid(bounds, wanted);
+        if (sort_triangles(mesh, triangles, triangle_ranges, cells, tasks)) break;
+    }
+    sort_samples(samples, sample_ranges, cells, tasks);
+}
+
+void mark(std::span<const IrregularSample> samples, std::span<std::uint8_t> shadowed)
+{
+    for (const IrregularSample& sample : samples) shadowed[sample.id] = 1;
+}
+
+bool is_divided(const IrregularCells& cells, std::size_t cell)
+{
+    return cells.samples_of(cell).size() > kManySamples &&
+           cells.seen.of(cell).size() > kManyTriangles;
+}
+
+/// A cell by itself, or divided into smaller ones.
+void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCells& cells,
+    std::size_t cell, int level, const LightPoints& points, CellWorker& worker, Tasks& serial,
+    std::span<std::uint8_t> shadowed)
+{
+    const auto samples = cells.samples_of(cell);
+    const auto triangles = cells.seen.of(cell);
+    if (samples.empty() || triangles.empty()) return;
+    const SampleBounds bounds = bounds_of(samples);
+    if (is_covered(mesh, covers, bounds, samples, points)) {
+        mark(samples, shadowed);
+        return;
+    }
+    if (level == kCellLevels || !is_divided(cells, cell)) {
+        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
+        return;
+    }
+    IrregularCells& inner = worker.level[std::size_t(level)];
+    const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
+    sort(mesh, samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1}, bounds,
+        inner, serial);
+    if (inner.grid.cells() == 1) { // all in one place
+        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
+        return;
+    }
+    for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
+        test_cell(mesh, covers, inner, k, level + 1, points, worker, serial, shadowed);
+}
+
+/// Takes the patches out that one triangle shadows.
+void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
+    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory, Tasks& tasks)
+{
+    memory.covered.resize(patches.size());
+    memory.open.resize(patches.size());
+    memory.is_covered.resize(patches.size());
+    memory.covers =
+        find_covers(mesh, memory.triangle_ranges.span(), bounds, memory.covers_of_range, tasks);
+    tasks.for_each(patches.size(), [&](std::size_t k, std::size_t) {
+        const SamplePatch& patch = patches[k];
+        const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
+        memory.is_covered[k] =
+            !samples.empty() && is_covered(mesh, memory.covers, patch.bounds, samples, points);
+    });
+    std::size_t covered = 0, open = 0;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        if (patches[k].range.count == 0) continue;
+        if (memory.is_covered[k])
+            memory.covered[covered++] = patches[k].range;
+        else
+            memory.open[open++] = patches[k];
+    }
+    memory.covered.resize(covered);
+    memory.open.resize(open);
+}
+
+/// The samples that are to be sorted.
+struct Loose {
+    std::size_t count = 0;
+    SampleBounds bounds;
+};
+
+/// Splits the patches that are left into those that stay together and samples to be sorted.
+Loose split_patches(
+    const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
+{
+    const auto compact = [&](const SamplePatch& patch) {
+        return keep_compact && is_compact(patch, bounds, triangles);
+    };
+    std::size_t all = 0, compact_samples = 0;
+    for (const SamplePatch& patch : memory.open.span()) {
+        all += patch.range.count;
+        if (compact(patch)) compact_samples += patch.range.count;
+    }
+    // For few samples it does not pay to look at all triangles once more.
+    const bool worth_it = 4 * compact_samples > all;
+
+    Loose left;
+    std::size_t patches = 0, ranges = 0;
+    memory.patches.patches.resize(memory.open.size());
+    memory.loose.resize(memory.open.size());
+    for (const SamplePatch& patch : memory.open.span()) {
+        if (worth_it && compact(patch)) {
+            memory.patches.patches[patches++] = patch;
+        } else {
+            memory.loose[ranges++] = patch.range;
+            left.count += patch.range.count;
+            left.bounds.add(patch.bounds);
+        }
+    }
+    memory.patches.patches.resize(patches);
+    memory.loose.resize(ranges);
+    return left;
+}
+
+/// Every worker gets room for the largest patch and cell, whoever takes which.
+void prepare_workers(IrregularMemory& memory, int threads)
+{
+    while (int(memory.workers.size()) < threads)
+        memory.workers.push_back(std::make_unique<CellWorker>());
+    std::size_t samples = kManySamples, triangles = 0; // of the largest that is tested, divided
+    for (const SamplePatch& patch : memory.patches.patches.span())
+        samples = std::max(samples, patch.range.count);
+    std::size_t divided = 0;
+    for (std::size_t cell = 0; cell < std::size_t(memory.cells.grid.cells()); ++cell) {
+        const std::size_t count = memory.cells.samples_of(cell).size();
+        samples = std::max(samples, count);
+        if (!is_divided(memory.cells, cell)) continue;
+        divided = std::max(divided, count);
+        triangles = std::max(triangles, memory.cells.seen.of(cell).size());
+    }
+    for (const auto& worker : memory.workers) {
+        reserve(worker->leaf, samples);
+        IrregularCells& inner = worker->level[0];
+        inner.samples.resize(divided, divided / 4);
+        inner.cell_of.resize(divided + 16, divided / 4);
+        inner.rect_of.resize(triangles + 16, triangles / 4);
+        inner.seen.triangles.resize(2 * triangles, triangles);
+        if (divided == 0) continue;
+        for (auto* starts : {&inner.sample_start, &inner.seen.start})
+            starts->resize(divided / kCellSamples + 2, 1024);
+        for (auto* cursor : {&inner.cursor, &inner.seen.cursor})
+            cursor->resize(divided / kCellSamples + 2, 4096);
+    }
+}
+
+} // namespace
+
+void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    IrregularMemory& memory, Tasks& tasks)
+{
+    memory.samples = samples;
+    memory.triangle_ranges.resize(mesh.range_count.size());
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
+        memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
+        count += mesh.range_count[k];
+    }
+    find_covered(mesh, patches, bounds, points, memory, tasks);
+
+    const auto triangles = mesh.in_view.span();
+    const auto ranges = memory.triangle_ranges.span();
+    Loose loose = split_patches(bounds, count, true, memory);
+    if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
+        // Too many large triangles: everything is sorted, into as few cells as need be.
+        loose = split_patches(bounds, count, false, memory);
+        bin_patches(triangles, ranges, bounds, memory.patches, tasks);
+    }
+    sort(mesh, samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds,
+        memory.cells, tasks);
+}
+
+void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+    Tasks& tasks, std::span<std::uint8_t> shadowed)
+{
+    prepare_workers(memory, tasks.threads());
+    tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
+        const SampleRange& range = memory.covered[k];
+        mark(memory.samples.subspan(range.first, range.count), shadowed);
+    });
+    const PatchMemory& patches = memory.patches;
+    tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
+        const SampleRange& range = patches.patches[k].range;
+        const auto triangles = patches.seen.of(k);
+        if (!triangles.empty())
+            test_leaf(mesh,
+                {memory.samples.subspan(range.first, range.count), patches.patches[k].bounds,
+                    triangles, memory.covers.span()},
+                points, memory.workers[worker]->leaf, shadowed);
+    });
+    const IrregularCells& cells = memory.cells;
+    tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
+        test_cell(mesh, memory.covers, cells, cell, 0, points, *memory.workers[worker],
+            memory.serial, shadowed);
+    });
+}
+
+} // namespace firsthit
