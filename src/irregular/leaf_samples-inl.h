@@ -128,6 +128,49 @@ HWY_INLINE void store_box(const GroupBounds& bounds, float* box)
 #endif
 }
 
+/// Finds the slots of groups' boxes, as Slots::of without jumps, which would be guessed wrong.
+class GroupSlots {
+  public:
+    static constexpr int kSides = 4;
+
+    explicit GroupSlots(const BoxSlots& slots) : slots_(slots)
+    {
+        const Slots* axis[kSides] = {&slots.x, &slots.x, &slots.y, &slots.y};
+        for (int k = 0; k < kSides; ++k) {
+            start_[k] = axis[k]->start;
+            scale_[k] = axis[k]->scale;
+        }
+    }
+
+    /// box       the least of x, -x, y, -y
+    /// farthest  w of the samples
+    HWY_INLINE void find(const float* box, float farthest, int (&slot)[kSides + 1]) const
+    {
+#if HWY_TARGET == HWY_SCALAR
+        slot[0] = slots_.x.of(box[0]), slot[1] = slots_.x.of(-box[1]);
+        slot[2] = slots_.y.of(box[2]), slot[3] = slots_.y.of(-box[3]);
+        slot[4] = slots_.w.of(farthest);
+#else
+        const hn::FixedTag<float, kSides> d;
+        const hn::RebindToSigned<decltype(d)> w;
+        const auto slot_of = [&](auto v, auto start, auto scale) {
+            const auto at = hn::Mul(hn::Sub(v, start), scale);
+            const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
+            return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(kSlots - 1))));
+        };
+        alignas(16) static constexpr float kSign[kSides] = {0.0f, -0.0f, 0.0f, -0.0f};
+        const auto sides = hn::Xor(hn::LoadU(d, box), hn::Load(d, kSign));
+        hn::StoreU(slot_of(sides, hn::Load(d, start_), hn::Load(d, scale_)), w, slot);
+        slot[kSides] = hn::GetLane(
+            slot_of(hn::Set(d, farthest), hn::Set(d, slots_.w.start), hn::Set(d, slots_.w.scale)));
+#endif
+    }
+
+  private:
+    BoxSlots slots_;
+    alignas(16) float start_[kSides], scale_[kSides];
+};
+
 /// Copies a group's samples as offsets from the middle. What fills it up is where its first sample
 /// is, infinitely near to the light.
 /// from  whole registers
@@ -167,6 +210,7 @@ inline void fill_groups(
     const std::size_t most_tables = (most + kTableBoxes - 1) / kTableBoxes;
     leaf.table.resize(most_tables);
     leaf.box.resize(most_tables * kTableBoxes);
+    const GroupSlots group_slots(slots);
     std::size_t group = 0;
     for (std::size_t k = 0; k < samples.size(); ++group) {
         const IrregularSample* from = &samples[k];
@@ -187,7 +231,9 @@ inline void fill_groups(
         const float farthest = hn::GetLane(hn::MinOfLanes(Group(), bounds.w));
         OverlapTable& table = leaf.table[group / kTableBoxes];
         if (group % kTableBoxes == 0) table = {};
-        table.add(int(group % kTableBoxes), {box[0], box[2], -box[1], -box[3], farthest, 0}, slots);
+        int slot[GroupSlots::kSides + 1];
+        group_slots.find(box, farthest, slot);
+        table.add(int(group % kTableBoxes), slot);
         leaf.first[group] = std::uint32_t(k);
         leaf.shadowed[group] = std::uint16_t(0xFFFFu << count);
         k += count;

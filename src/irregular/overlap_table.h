@@ -59,12 +59,20 @@ class OverlapTable {
   public:
     void add(int number, const SampleBounds& box, const BoxSlots& slots)
     {
+        const int at[5] = {slots.x.of(box.x0), slots.x.of(box.x1), slots.y.of(box.y0),
+            slots.y.of(box.y1), slots.w.of(box.farthest_w)};
+        add(number, at);
+    }
+
+    /// slot  of x0, x1, y0, y1 and the farthest w
+    void add(int number, const int (&slot)[5])
+    {
         const std::uint64_t bit = std::uint64_t(1) << number;
-        from_x_[slots.x.of(box.x0)] |= bit;
-        to_x_[slots.x.of(box.x1)] |= bit;
-        from_y_[slots.y.of(box.y0)] |= bit;
-        to_y_[slots.y.of(box.y1)] |= bit;
-        behind_[slots.w.of(box.farthest_w)] |= bit;
+        from_x_[slot[0]] |= bit;
+        to_x_[slot[1]] |= bit;
+        from_y_[slot[2]] |= bit;
+        to_y_[slot[3]] |= bit;
+        behind_[slot[4]] |= bit;
         open |= bit;
     }
 
