@@ -72,6 +72,8 @@ HWY_INLINE std::size_t group_size(const IrregularSample* samples)
 {
     const auto square = [&](std::size_t k) { return samples[k].id / kGroup; };
     const std::uint32_t last = square(kGroup - 1);
+    if (samples[kGroup - 1].id - samples[0].id == kGroup - 1 && samples[0].id % kGroup == 0)
+        return kGroup; // a whole square
     if (square(kGroup) != last || square(0) == last) return kGroup;
     std::size_t before = 0; // the number of the last one that is not of the last square
     for (std::size_t step = kGroup / 2; step > 0; step /= 2)

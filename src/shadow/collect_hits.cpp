@@ -200,6 +200,25 @@ void collect(const CollectWork& work, std::size_t first, std::span<IrregularSamp
     if (part.range.count > 0) parts[std::size_t(number)] = part;
 }
 
+void remove(const std::uint8_t* shadowed, std::span<std::uint64_t> words)
+{
+    const hn::CappedTag<std::uint8_t, kBlockSamples> d;
+    for (std::uint64_t& word : words) {
+        if (word != 0) {
+            std::uint64_t dark = 0;
+            for (std::size_t k = 0; k < kBlockSamples; k += hn::Lanes(d)) {
+                std::uint8_t bits[8] = {};
+                hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, shadowed + k), hn::Zero(d)), bits);
+                std::uint64_t some;
+                std::memcpy(&some, bits, sizeof some);
+                dark |= some << k;
+            }
+            word &= ~dark;
+        }
+        shadowed += kBlockSamples;
+    }
+}
+
 void unpack(std::span<const std::uint64_t> words, float* floats)
 {
     for (const std::uint64_t word : words)
@@ -217,6 +236,7 @@ namespace firsthit {
 
 HWY_EXPORT(collect);
 HWY_EXPORT(collect_chunk);
+HWY_EXPORT(remove);
 HWY_EXPORT(unpack);
 
 void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
@@ -228,6 +248,11 @@ void collect_hits(const CollectWork& work, std::size_t first, std::span<Irregula
 void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk)
 {
     HWY_DYNAMIC_DISPATCH(collect_chunk)(work, reached, chunk);
+}
+
+void remove_shadowed(const std::uint8_t* shadowed, std::span<std::uint64_t> words)
+{
+    HWY_DYNAMIC_DISPATCH(remove)(shadowed, words);
 }
 
 void unpack_bits(std::span<const std::uint64_t> words, float* floats)

@@ -30,6 +30,10 @@ void collect_hits(const CollectWork& work, std::size_t first, std::span<Irregula
 /// The same as points.
 void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk);
 
+/// Clears the bits of the samples that are shadowed.
+/// shadowed  (64 * words) 0 or 1
+void remove_shadowed(const std::uint8_t* shadowed, std::span<std::uint64_t> words);
+
 /// floats[k] = bit k of the words, 0 or 1.
 void unpack_bits(std::span<const std::uint64_t> words, float* floats);
 

@@ -41,20 +41,6 @@ class HitPoints : public LightPoints {
     const LightMesh& mesh_;
 };
 
-/// Takes the samples that are shadowed out of the words.
-void remove_shadowed(const std::uint8_t* shadowed, std::size_t blocks, std::uint64_t* words)
-{
-    for (std::size_t block = 0; block < blocks; ++block) {
-        if (words[block] == 0) continue;
-        const std::uint8_t* bytes = shadowed + block * kBlockSamples;
-        for (int k = 0; k < kBlockSamples; k += 8) {
-            std::uint64_t eight;
-            std::memcpy(&eight, bytes + k, 8); // each byte 0 or 1: gather their bits
-            words[block] &= ~((eight * 0x0102040810204080u >> 56) << k);
-        }
-    }
-}
-
 /// Measured: below this many triangles a sample, sorting both costs less.
 constexpr double kManyTriangles = 1.5;
 
@@ -202,8 +188,8 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
         test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
         watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
-            remove_shadowed(memory.shadowed.data() + tile * samples, lit.blocks,
-                &lit.words[lit.place(l, tile)]);
+            remove_shadowed(memory.shadowed.data() + tile * samples,
+                lit.words.span().subspan(lit.place(l, tile), lit.blocks));
         });
         memory.effort.collect_ms += watch.lap_ms();
     }
