@@ -3,8 +3,8 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
-#include "irregular/samples.h"
 #include "irregular/light_mesh.h"
+#include "irregular/samples.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,8 @@
 
 #include "base/tasks.h"
 #include "irregular/bin_seen.h"
-#include "irregular/samples.h"
 #include "irregular/light_mesh.h"
+#include "irregular/samples.h"
 
 #include <cstdint>
 #include <span>

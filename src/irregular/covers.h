@@ -3,8 +3,8 @@
 
 #include "irregular/cover_choice.h"
 #include "irregular/leaf.h"
-#include "irregular/patches.h"
 #include "irregular/light_mesh.h"
+#include "irregular/patches.h"
 
 #include <span>
 

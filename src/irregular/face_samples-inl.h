@@ -8,9 +8,9 @@
 
 #include "base/simd_real-inl.h"
 #include "exact/hit.h"
+#include "irregular/light_face.h"
 #include "irregular/samples.h"
 #include "visibility/item_tile.h"
-#include "irregular/light_face.h"
 
 #include <cstddef>
 #include <limits>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "base/buffer.h"
-#include "irregular/samples.h"
 #include "irregular/light_mesh.h"
 #include "irregular/overlap_table.h"
+#include "irregular/samples.h"
 
 #include <cstdint>
 #include <span>

@@ -1,14 +1,14 @@
 // leaf_kernels-inl.h - triangles that are set up, over the groups of a cell.
-#if defined(FIRSTHIT_LEAF_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FIRSTHIT_LEAF_KERNELS_INL_H
-#undef FIRSTHIT_LEAF_KERNELS_INL_H
+#if defined(FIRSTHIT_IRREGULAR_LEAF_KERNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_LEAF_KERNELS_INL_H_
+#undef FIRSTHIT_IRREGULAR_LEAF_KERNELS_INL_H_
 #else
-#define FIRSTHIT_LEAF_KERNELS_INL_H
+#define FIRSTHIT_IRREGULAR_LEAF_KERNELS_INL_H_
 #endif
 
 #include "irregular/gather_corners.h"
-#include "irregular/set_up-inl.h"
 #include "irregular/leaf_samples-inl.h"
+#include "irregular/set_up-inl.h"
 #include "visibility/sample_registers-inl.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // leaf_samples-inl.h - the samples of one cell of the irregular z-buffer, made ready for its triangles.
-#if defined(FIRSTHIT_LEAF_SAMPLES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FIRSTHIT_LEAF_SAMPLES_INL_H
-#undef FIRSTHIT_LEAF_SAMPLES_INL_H
+#if defined(FIRSTHIT_IRREGULAR_LEAF_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_LEAF_SAMPLES_INL_H_
+#undef FIRSTHIT_IRREGULAR_LEAF_SAMPLES_INL_H_
 #else
-#define FIRSTHIT_LEAF_SAMPLES_INL_H
+#define FIRSTHIT_IRREGULAR_LEAF_SAMPLES_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -17,6 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
 

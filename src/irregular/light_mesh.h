@@ -5,8 +5,8 @@
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
 #include "irregular/grid_places.h"
-#include "irregular/samples.h"
 #include "irregular/light_face.h"
+#include "irregular/samples.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>

@@ -1,8 +1,8 @@
 // overlap_table.h - which of up to 64 boxes does a box overlap? Five lookups instead of 64 tests.
 #pragma once
 
-#include "irregular/samples.h"
 #include "irregular/light_mesh.h"
+#include "irregular/samples.h"
 
 #include <algorithm>
 #include <cmath>

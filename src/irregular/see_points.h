@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exact/shadow_ray.h"
+#include "irregular/light_mesh.h"
 #include "irregular/patches.h"
 #include "irregular/samples.h"
-#include "irregular/light_mesh.h"
 
 #include <array>
 #include <span>

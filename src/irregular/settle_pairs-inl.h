@@ -15,9 +15,9 @@
 #include <hwy/highway.h>
 
 #include "irregular/sample_grid.h"
-#include "visibility/sample_registers-inl.h"
 #include "irregular/see_lanes-inl.h"
 #include "irregular/shadow_plane.h"
+#include "visibility/sample_registers-inl.h"
 
 #include <atomic>
 #include <bit>

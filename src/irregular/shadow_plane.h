@@ -2,8 +2,8 @@
 // not?
 #pragma once
 
-#include "irregular/samples.h"
 #include "irregular/light_mesh.h"
+#include "irregular/samples.h"
 
 #include <glm/vec3.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "exact/shadow_ray.h"
-#include "irregular/samples.h"
 #include "irregular/light_face.h"
+#include "irregular/samples.h"
 
 namespace firsthit {
 

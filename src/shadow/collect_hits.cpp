@@ -9,9 +9,9 @@
 #include "hits/hit_position-inl.h"
 #include "hits/hit_position.h"
 #include "hits/spot_cone-inl.h"
+#include "irregular/face_samples-inl.h"
 #include "shadow/collect_hits.h"
 #include "shadow/to_light-inl.h"
-#include "irregular/face_samples-inl.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,8 +3,8 @@
 
 #include "hits/hit_tile.h"
 #include "hits/spot_cone.h"
-#include "shadow/find_receivers.h"
 #include "irregular/see_points.h"
+#include "shadow/find_receivers.h"
 
 #include <cstdint>
 #include <span>

@@ -5,11 +5,11 @@
 #include "base/tasks.h"
 #include "hits/hit_tile.h"
 #include "hits/lit_tile.h"
+#include "irregular/grid_shadows.h"
+#include "irregular/see_points.h"
+#include "irregular/zbuffer.h"
 #include "shadow/find_receivers.h"
 #include "shadow/umbra.h"
-#include "irregular/grid_shadows.h"
-#include "irregular/zbuffer.h"
-#include "irregular/see_points.h"
 
 #include <firsthit/scene.h>
 

@@ -11,8 +11,8 @@
 #include "base/buffer.h"
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
-#include "shadow/tile_hull.h"
 #include "irregular/samples.h"
+#include "shadow/tile_hull.h"
 
 #include <firsthit/scene.h>
 
