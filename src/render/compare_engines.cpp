@@ -171,6 +171,7 @@ EngineComparison EngineComparer::compare(
         result.interpolated = stats.interpolated;
         Settings cpu = settings;
         cpu.engine = Engine::cpu;
+        impl.cpu_memory.lit.by_walls = false; // its maps are lent, of all lights
         render_frame(world, filled, cpu, impl.cpu_memory, impl.tasks, impl.cpu_film, stats);
         result.square_sum_same_items = impl.lend_items(world, filled, settings);
 #ifdef FIRSTHIT_GL

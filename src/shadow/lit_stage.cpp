@@ -32,8 +32,13 @@ void start_lit(const World& world, const Settings& settings, std::size_t tiles, 
 {
     memory.technique = settings.shadows == Shadows::map ? Shadows::map : Shadows::exact;
     memory.dark.assign(world.lights.size(), 0);
-    start_umbra(world, tiles, memory.umbra, tasks);
-    if (memory.technique == Shadows::map) start_maps(world, tasks.threads(), memory.maps);
+    // A bias that is given may let light through a wall.
+    const bool by_map = memory.technique == Shadows::map;
+    if (memory.by_walls && !(by_map && settings.shadow_bias >= 0))
+        start_umbra(world, tiles, memory.umbra, tasks);
+    else
+        memory.umbra.walls.resize(0);
+    if (by_map) start_maps(world, tasks.threads(), memory.maps);
 }
 
 void add_lit_hits(const HitTile& hits, std::size_t tile, LitMemory& memory, std::size_t worker)

@@ -20,6 +20,7 @@ namespace firsthit {
 /// Kept from frame to frame.
 struct LitMemory {
     Shadows technique = Shadows::exact; // never none
+    bool by_walls = true; // look for tiles behind walls first; not where the maps are lent
     Umbra umbra;
     std::vector<std::uint8_t> dark; // (lights) no hit is reached; of the maps
     ShadowMemory exact;

@@ -54,7 +54,9 @@ double slack_of(const TileHull& hull, const LightSpace& space, double farthest)
 {
     const double light = double(largest_coordinate(space.origin)) + double(space.reach);
     const double corner = 2 * (farthest + light); // of any triangle, in the light's space
-    return 2 * hull.rounding + kPositionRounding * light + double(kShadowMargin) * corner;
+    constexpr double kUnderflow = 0x1p-140;       // of floats near zero
+    return 2 * hull.rounding + kPositionRounding * light + double(kShadowMargin) * corner +
+           kUnderflow;
 }
 
 /// The bounds of points with some slack, as a face sees them; nothing where it does not see all.

@@ -142,6 +142,25 @@ TEST_F(EngineComparing, FindsTheShadingOfTheGpuEngineEqualToTheEye)
     EXPECT_GE(compare(Engine::gpu, Multisample::none).psnr_same_items_db().value_or(0), 45);
 }
 
+TEST_F(EngineComparing, LendsTheMapsOfLightsThatReachNothing)
+{
+    // A floor under a roof, in a part of few triangles.
+    scene = scene_from_arrays({{-50, 0, -50}, {50, 0, -50}, {50, 0, 50}, {-50, 0, 50},
+                                  {-60, 4, -60}, {60, 4, -60}, {60, 4, 60}, {-60, 4, 60}},
+        {{0, 2, 1}, {0, 3, 2}, {4, 6, 5}, {4, 7, 6}});
+    Light light;
+    light.position = {0, 30, 0};
+    scene.lights = {light};
+    pose(scene, 0, world);
+    view = {};
+    view.width = view.height = 64;
+    view.camera.eye = {0, 2, 0};
+    view.camera.direction = {0.3, -1, 0.2};
+    view.camera.up = {0, 0, 1};
+    settings.shadows = Shadows::map;
+    EXPECT_GE(compare(Engine::gpu, Multisample::none).psnr_same_items_db().value_or(0), 60);
+}
+
 TEST_F(EngineComparing, LendsItemsToTheGpuEngineAlone)
 {
     EXPECT_FALSE(compare(Engine::hybrid, Multisample::none).psnr_same_items_db());

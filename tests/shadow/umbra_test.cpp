@@ -299,7 +299,7 @@ struct RoofedFrame {
     Film film;
     Stats stats;
 
-    RoofedFrame(bool wall, Shadows shadows, const Light& light)
+    RoofedFrame(bool wall, Shadows shadows, const Light& light, double bias = -1)
     {
         ShadowWorld made = roofed(1, 0, light, 1, glm::vec3(0));
         made.view.camera.direction = kDown;
@@ -307,6 +307,7 @@ struct RoofedFrame {
         Settings settings;
         settings.shadows = shadows;
         settings.tile_size = 16;
+        settings.shadow_bias = bias;
         Renderer renderer(2);
         renderer.render(made.world.world, made.view, settings, film);
         stats = renderer.stats();
@@ -323,6 +324,14 @@ TEST(Umbra, GivesThePictureThatTestsAndMapsGive)
         EXPECT_EQ(with.stats.map_updates, 0u);
         EXPECT_GT(without.stats.shadow_points + without.stats.map_updates, 0u);
     }
+}
+
+TEST(Umbra, IsNotAskedWhereABiasLetsLightThroughTheWall)
+{
+    const Light light = point_light({0.3, 7, 0.2});
+    const RoofedFrame with(true, Shadows::map, light, 2);
+    EXPECT_EQ(with.film.color.value, RoofedFrame(false, Shadows::map, light, 2).film.color.value);
+    EXPECT_NE(with.film.color.value, RoofedFrame(true, Shadows::map, light).film.color.value);
 }
 
 TEST(Umbra, LeavesALightThatReachesSomethingItsWholeMap)
