@@ -47,10 +47,7 @@ TEST_P(GridShadows, AreTheSameForEveryInstructionSet)
 INSTANTIATE_TEST_SUITE_P(Adversarial, GridShadows,
     testing::Range(std::size_t(0), shadow_scenes().size()),
     [](const testing::TestParamInfo<std::size_t>& scene) {
-        std::string name = shadow_scenes()[scene.param].name;
-        for (char& c : name)
-            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        return name;
+        return shadow_test_name(shadow_scenes()[scene.param]);
     });
 
 /// A hilly sheet of 2 n n triangles under a light, with points on it: corners, edges, middles.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace firsthit::test {
 namespace {
@@ -291,6 +292,14 @@ const std::vector<ShadowScene>& shadow_scenes()
         return made;
     }();
     return scenes;
+}
+
+std::string shadow_test_name(const ShadowScene& scene)
+{
+    std::string name = scene.name;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
 }
 
 ShadowWorld make_shadow_world(const ShadowScene& scene, unsigned seed)

@@ -28,6 +28,9 @@ inline constexpr int kShadowSize = 64;
 
 const std::vector<ShadowScene>& shadow_scenes();
 
+/// The scene's name with nothing in it that a test's name may not have.
+std::string shadow_test_name(const ShadowScene& scene);
+
 /// A finished world of one scene.
 ShadowWorld make_shadow_world(const ShadowScene& scene, unsigned seed);
 

@@ -100,10 +100,7 @@ TEST_P(UmbraOf, HiddenTilesAreDarkByThePlainLoop)
 INSTANTIATE_TEST_SUITE_P(Adversarial, UmbraOf,
     testing::Range(std::size_t(0), shadow_scenes().size()),
     [](const testing::TestParamInfo<std::size_t>& scene) {
-        std::string name = shadow_scenes()[scene.param].name;
-        for (char& c : name)
-            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        return name;
+        return shadow_test_name(shadow_scenes()[scene.param]);
     });
 
 /// A floor of many triangles, and large ones at some height above it; an eye between them.
