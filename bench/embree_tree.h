@@ -1,8 +1,8 @@
 // embree_tree.h - Embree's shadow rays, as benchmarks take them: 8-wide, coherent, default quality.
 #pragma once
 
-#include "irregular/light_mesh.h"
-#include "irregular/see_points.h"
+#include "irregular/mesh/pencil_mesh.h"
+#include "irregular/mesh/project_points_to_face.h"
 
 #include <embree3/rtcore.h>
 
@@ -15,7 +15,7 @@ namespace firsthit {
 /// A tree over the triangles of a light's space. Built once; building is not measured.
 class EmbreeTree {
   public:
-    EmbreeTree(const LightMesh& mesh, int threads)
+    EmbreeTree(const PencilMesh& mesh, int threads)
         : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
           scene_(rtcNewScene(device_))
     {

@@ -5,7 +5,7 @@
 // The setup stage poses and uploads, raster draws the items, resolve is what several passes do
 // before shading, shadow bounds the hits and draws maps, shade has the colours. A software driver
 // works when it is waited for, which each stage does; with hardware only the total counts.
-#include "gl/drawn_items.h"
+#include "gl/items/drawn_items.h"
 #include "gl/gpu_frame.h"
 #include "render/check_settings.h"
 

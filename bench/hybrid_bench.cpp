@@ -5,7 +5,7 @@
 //
 // The last column is the share of OpenGL's time, from the first call to the last item in host
 // memory, that the rays did not have to wait for.
-#include "peers.h"
+#include "baselines.h"
 
 #include <firsthit/firsthit.h>
 

@@ -6,15 +6,15 @@
 // Both sides are given the posed world and leave triangle id, depth and barycentrics of 1024x1024
 // samples. Ours starts from world positions; Embree is given eye-space corners, so that it does not
 // pay for the camera transform.
-#include "peers.h"
+#include "baselines.h"
 
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
 #include "rays/embree_caster.h"
 #include "render/check_settings.h"
-#include "scene/pose.h"
-#include "visibility/project.h"
+#include "scene/animate/pose.h"
+#include "visibility/bin/project.h"
 
 #include <firsthit/firsthit.h>
 
@@ -112,11 +112,11 @@ void measure(const std::string& argument, const Options& options)
     for (std::size_t i = 0; i < theirs.items.size(); ++i)
         differ += theirs.items[i] != ours.film.item[i];
     const double total = median(ours.total_ms);
-    const double peer = median(theirs.update_ms) + median(theirs.cast_ms);
+    const double baseline = median(theirs.update_ms) + median(theirs.cast_ms);
     std::printf("%-22s %9zu %8.2f %8.2f %8.2f %9.2f %9.2f %9.2f %8.2f %9zu\n", asked.name.c_str(),
         scene.triangle_count(), median(ours.setup_ms), median(ours.raster_ms),
         median(ours.resolve_ms), total, median(theirs.update_ms), median(theirs.cast_ms),
-        peer / total, differ);
+        baseline / total, differ);
     std::fflush(stdout);
 }
 

@@ -6,7 +6,7 @@
 // A core that others use too shows less; the best of many is nearest to the limit.
 #include "machine_kernels.h"
 
-#include "peers.h"
+#include "baselines.h"
 
 #include "base/simd_targets.h"
 

@@ -107,7 +107,7 @@ struct ShadedPicture {
     }
 };
 
-void shade_picture(const ShadedPicture& picture, const LitTile& lit = {})
+void shade_picture(const ShadedPicture& picture, const LightVisibility& lit = {})
 {
     alignas(64) static float color[3][kTile * kTile];
     ShadeTargets targets;
@@ -141,7 +141,7 @@ void shade_a_million_by(benchmark::State& state)
     light.outer_rad = 1.5;
     alignas(64) static float share[kTile * kTile];
     for (int k = 0; k < kTile * kTile; ++k) share[k] = k % 64 < state.range(1) ? 1.0f : 0.0f;
-    const LitTile lit{state.range(1) < 0 ? nullptr : share, kTile * kTile};
+    const LightVisibility lit{state.range(1) < 0 ? nullptr : share, kTile * kTile};
     for (auto _ : state) shade_picture(picture, lit);
 }
 BENCHMARK(shade_a_million_by)

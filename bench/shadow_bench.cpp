@@ -9,16 +9,16 @@
 // Of several lights (around the first), Embree is measured for the first only. A map is made anew
 // in every round. Its wrong pixels are counted against the exact pass.
 #include "embree_tree.h"
-#include "peers.h"
+#include "baselines.h"
 
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
 #include "render/check_settings.h"
-#include "scene/pose.h"
-#include "shadow/collect_hits.h"
-#include "shadow/find_receivers.h"
-#include "shadow/look_up.h"
+#include "scene/animate/pose.h"
+#include "shadow/exact/collect_hits.h"
+#include "shadow/exact/find_receivers.h"
+#include "shadow/map/sample_shadow_map.h"
 
 #include <firsthit/firsthit.h>
 
@@ -72,7 +72,7 @@ void run_maps(const World& world, const Settings& settings, std::span<const HitT
     const std::size_t samples = lit.size() / tiles.size();
     for (std::size_t light = 0; light < world.lights.size(); ++light)
         tasks.for_each(tiles.size(), [&](std::size_t k, std::size_t) {
-            look_up(maps, world, tiles[k], light, lit.data() + k * samples);
+            sample_shadow_map(maps, world, tiles[k], light, lit.data() + k * samples);
         });
 }
 
@@ -120,8 +120,8 @@ void measure(const std::string& argument, const Options& options)
     };
 
     // The points of all tiles and the first light, for Embree.
-    LightMesh mesh;
-    const LightSpace space = light_space(world.lights[0], view.camera.eye);
+    PencilMesh mesh;
+    const PencilSpace space = light_space(world.lights[0], view.camera.eye);
     see_from_light(space, world.position, scene.index, mesh, tasks);
     const EmbreeTree tree(mesh, options.threads);
     std::vector<std::unique_ptr<LightChunk>> chunks;

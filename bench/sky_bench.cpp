@@ -8,12 +8,12 @@
 // tree is built beforehand and not counted. Both sides are told which way the points lie; Embree
 // shoots from the points towards the sky.
 #include "embree_tree.h"
-#include "peers.h"
+#include "baselines.h"
 
 #include "base/stopwatch.h"
 #include "base/tasks.h"
-#include "scene/pose.h"
-#include "shadow/point_shadows.h"
+#include "scene/animate/pose.h"
+#include "shadow/exact/point_shadows.h"
 
 #include <firsthit/firsthit.h>
 
@@ -91,8 +91,8 @@ void measure(const std::string& argument, const Options& options)
     const std::vector<glm::vec3> points = make_points(world, options);
 
     // Embree in world space: a light at the origin.
-    LightMesh mesh;
-    see_from_light(LightSpace{}, world.position, scene.index, mesh, tasks);
+    PencilMesh mesh;
+    see_from_light(PencilSpace{}, world.position, scene.index, mesh, tasks);
     const EmbreeTree tree(mesh, options.threads);
     constexpr std::size_t kChunk = 4096;
     std::vector<std::unique_ptr<LightChunk>> chunks;
@@ -120,7 +120,7 @@ void measure(const std::string& argument, const Options& options)
         Light sun;
         sun.kind = Light::Kind::directional;
         sun.direction = sky_direction(std::max(k, 0), options.directions);
-        const LightSpace space = light_space(sun, glm::dvec3(0));
+        const PencilSpace space = light_space(sun, glm::dvec3(0));
         Stopwatch watch;
         test_points(world, space, set, memory, tasks, ours);
         const double mine = watch.lap_ms();
@@ -130,10 +130,10 @@ void measure(const std::string& argument, const Options& options)
         watch.lap_ms();
         tasks.for_each(chunks.size(),
             [&](std::size_t c, std::size_t) { tree.test(*chunks[c], &to_sky, theirs.data()); });
-        const double peer = watch.lap_ms();
+        const double baseline = watch.lap_ms();
         if (k < 0) continue;
         ours_ms += mine;
-        theirs_ms += peer;
+        theirs_ms += baseline;
         for (std::size_t p = 0; p < points.size(); ++p) {
             differ += ours[p] != theirs[p];
             shadowed += ours[p];

@@ -8,7 +8,7 @@ foreach(name IN LISTS names)
     string(APPEND rows "    {\"${name}\", R\"firsthit(${text})firsthit\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Written by cmake/embed_texts.cmake.
-#include \"gl/shader_texts.h\"
+#include \"gl/device/shader_texts.h\"
 
 namespace firsthit::gl {
 namespace {

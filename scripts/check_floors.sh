@@ -16,7 +16,7 @@ list_files()
 [ -d src ] || { echo "check_floors.sh: no folder src in $root" >&2; exit 1; }
 list_files | xargs -0 -r awk '
 BEGIN {
-    split("base:0 glsl:0 exact:1 scene:1 film:1 visibility:2 rays:2 hits:3 irregular:3 shade:4 shadow:4 cpu:5 gl:5 peer:6 render:7", pairs, " ")
+    split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
     for (k in pairs) { split(pairs[k], pair, ":"); floor_of[pair[1]] = pair[2] + 0 }
 }
 function complain(why) { printf "%s:%d: %s: %s\n", FILENAME, FNR, $0, why; bad = 1 }
@@ -49,7 +49,7 @@ FNR == 1 {
     # The others see the public headers only. An app also includes its own files, by their plain names or
     # as bench/....
     if (target in floor_of) { complain("only <firsthit/...> is seen from here"); next }
-    if (quoted && !(path[1] == "apps" && (index(name, "/") == 0 || target == "bench"))) complain("only <firsthit/...> is seen from here")
+    if (quoted && !(path[1] == "apps" && (index(name, "/") == 0 || target ~ /^(bench|common|options)$/))) complain("only <firsthit/...> is seen from here")
 }
 END { exit bad }
 ' && echo "floors: every include goes down"

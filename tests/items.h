@@ -4,7 +4,7 @@
 #include "cpu/frame.h"
 #include "rays/brute.h"
 #include "render/check_settings.h"
-#include "visibility/project.h"
+#include "visibility/bin/project.h"
 
 #include <gtest/gtest.h>
 

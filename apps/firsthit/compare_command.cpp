@@ -3,11 +3,11 @@
 #include "compare_command.h"
 
 #include "engine_report.h"
-#include "light_options.h"
-#include "output.h"
-#include "parse.h"
-#include "progress.h"
-#include "usage.h"
+#include "options/light_options.h"
+#include "common/output.h"
+#include "common/parse.h"
+#include "common/progress.h"
+#include "common/usage.h"
 
 #include <fmt/format.h>
 
@@ -25,11 +25,11 @@ constexpr const char* kExamples = R"(Examples:
   firsthit compare builtin:robots --against brute --shadows exact --size 256x256
   firsthit compare builtin:robots --engine hybrid --against cpu --multisample none
 
-Where two casters disagree, exact arithmetic settles who is right: "ties" are different triangles at
+Where two casters disagree, exact arithmetic decides who is right: "ties" are different triangles at
 exactly the same depth. --json prints one object, summed over the frames:
   {"pixels", "agree", "ties", "ours_wrong", "theirs_wrong"}
 --shadows exact also asks for every hit and light whether the light reaches the hit ("lit_pixels" are
-hits times lights); brute force over all triangles settles who is right:
+hits times lights); brute force over all triangles decides who is right:
   {..., "lit_pixels", "lit_agree", "lit_ours_wrong", "lit_theirs_wrong"}
 --against cpu holds an engine on OpenGL against the cpu engine, items and pictures, summed over the
 frames:

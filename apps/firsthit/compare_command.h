@@ -2,10 +2,10 @@
 // engine on OpenGL against the cpu engine.
 #pragma once
 
-#include "camera_options.h"
-#include "engine_options.h"
-#include "json.h"
-#include "scene_options.h"
+#include "options/camera_options.h"
+#include "options/engine_options.h"
+#include "common/json.h"
+#include "options/scene_options.h"
 
 #include <firsthit/compare.h>
 

@@ -1,7 +1,7 @@
 // engine_report.h - how far an engine agrees with the cpu engine, as a table and as JSON.
 #pragma once
 
-#include "json.h"
+#include "common/json.h"
 
 #include <firsthit/compare.h>
 

@@ -1,8 +1,8 @@
 // info_command.cpp - `firsthit info`: what is in a scene.
 #include "info_command.h"
 
-#include "output.h"
-#include "usage.h"
+#include "common/output.h"
+#include "common/usage.h"
 
 #include <firsthit/scene.h>
 

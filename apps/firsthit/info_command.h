@@ -1,8 +1,8 @@
 // info_command.h - `firsthit info`: what is in a scene.
 #pragma once
 
-#include "json.h"
-#include "scene_options.h"
+#include "common/json.h"
+#include "options/scene_options.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,9 +3,9 @@
 #include "compare_command.h"
 #include "info_command.h"
 #include "occlusion_command.h"
-#include "output.h"
+#include "common/output.h"
 #include "render_command.h"
-#include "usage.h"
+#include "common/usage.h"
 
 #include <firsthit/render.h>
 

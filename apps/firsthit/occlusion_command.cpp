@@ -1,13 +1,13 @@
 // occlusion_command.cpp - `firsthit occlusion`: which points do lights not reach?
 #include "occlusion_command.h"
 
-#include "interrupt.h"
-#include "light_options.h"
-#include "output.h"
-#include "parse.h"
-#include "progress.h"
-#include "stopwatch.h"
-#include "usage.h"
+#include "common/interrupt.h"
+#include "options/light_options.h"
+#include "common/output.h"
+#include "common/parse.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/usage.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>

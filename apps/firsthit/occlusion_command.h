@@ -1,8 +1,8 @@
 // occlusion_command.h - `firsthit occlusion`: which points do lights not reach?
 #pragma once
 
-#include "json.h"
-#include "scene_options.h"
+#include "common/json.h"
+#include "options/scene_options.h"
 
 #include <firsthit/scene.h>
 

@@ -1,12 +1,12 @@
 // render_command.cpp - `firsthit render`: pictures of a scene.
 #include "render_command.h"
 
-#include "interrupt.h"
-#include "output.h"
-#include "progress.h"
+#include "common/interrupt.h"
+#include "common/output.h"
+#include "common/progress.h"
 #include "stats_report.h"
-#include "stopwatch.h"
-#include "usage.h"
+#include "common/stopwatch.h"
+#include "common/usage.h"
 
 #include <firsthit/file.h>
 

@@ -1,7 +1,7 @@
 // render_command.h - `firsthit render`: pictures of a scene.
 #pragma once
 
-#include "render_options.h"
+#include "options/render_options.h"
 
 namespace firsthit::cli {
 

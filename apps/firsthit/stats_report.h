@@ -1,7 +1,7 @@
 // stats_report.h - where the time went, as a table and as JSON.
 #pragma once
 
-#include "json.h"
+#include "common/json.h"
 
 #include <firsthit/render.h>
 

@@ -7,7 +7,7 @@
 #include <firsthit/film.h>
 #include <firsthit/npy.h>
 #include <firsthit/occlusion.h>
-#include <firsthit/peer.h>
+#include <firsthit/baseline.h>
 #include <firsthit/render.h>
 #include <firsthit/scene.h>
 #include <firsthit/view.h>

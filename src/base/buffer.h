@@ -34,7 +34,7 @@ class Buffer {
             size_ = capacity_ = 0; // in case there is no memory
             const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
-            if constexpr (pages == Pages::large) ask_for_large_pages(data_.get(), bytes);
+            if constexpr (pages == Pages::large) request_large_pages(data_.get(), bytes);
             capacity_ = count + spare;
         }
         size_ = count;

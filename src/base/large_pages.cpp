@@ -9,7 +9,7 @@
 
 namespace firsthit {
 
-void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+void request_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::uintptr_t kLarge = std::uintptr_t(1) << 21;

@@ -8,7 +8,7 @@ namespace firsthit {
 
 /// Memory that has not been written yet. Scattered reads of some megabytes otherwise spend much of
 /// their time in finding out where a page is. What cannot be had is done without.
-void ask_for_large_pages(void* memory, std::size_t bytes);
+void request_large_pages(void* memory, std::size_t bytes);
 
 /// values.resize(count), in large pages where it has to grow. What was in it is kept as by resize.
 template <class T>
@@ -17,7 +17,7 @@ void resize_in_large_pages(std::vector<T>& values, std::size_t count)
     if (count > values.capacity()) {
         std::vector<T> grown;
         grown.reserve(count);
-        ask_for_large_pages(grown.data(), count * sizeof(T));
+        request_large_pages(grown.data(), count * sizeof(T));
         grown.assign(values.begin(), values.end());
         values.swap(grown);
     }

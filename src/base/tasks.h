@@ -1,7 +1,7 @@
 // tasks.h - runs loops on a fixed number of threads.
 #pragma once
 
-#include "base/team.h"
+#include "base/thread_pool.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,7 @@ class Tasks {
     /// threads  0: one for each core
     explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores())
     {
-        if (threads_ > 1) team_ = std::make_unique<Team>(threads_ - 1);
+        if (threads_ > 1) pool_ = std::make_unique<ThreadPool>(threads_ - 1);
     }
 
     int threads() const { return threads_; }
@@ -41,7 +41,7 @@ class Tasks {
                 throw;
             }
         };
-        team_->run(
+        pool_->run(
             {[](void* s, std::size_t worker) { (*static_cast<decltype(share)*>(s))(worker); },
                 &share});
     }
@@ -59,7 +59,7 @@ class Tasks {
     static int cores() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
     int threads_;
-    std::unique_ptr<Team> team_; // null: the caller's thread is all there is
+    std::unique_ptr<ThreadPool> pool_; // null: the caller's thread is all there is
 };
 
 } // namespace firsthit

@@ -122,8 +122,8 @@ void store_distance(const PixelRect& rect, const HitTile& hits, int film_width, 
 }
 
 /// The share of each light where there is an item, else 0.
-void store_lit(
-    const PixelRect& rect, const HitTile& hits, const LitTile& lit, int film_width, Plane& to)
+void store_lit(const PixelRect& rect, const HitTile& hits, const LightVisibility& lit,
+    int film_width, Plane& to)
 {
     const std::size_t lights = std::size_t(to.channels);
     for (std::size_t light = 0; light < lights; ++light) {
@@ -188,7 +188,7 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
     point(targets.albedo, contains(aovs, Aov::albedo));
 }
 
-void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
+void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibility& lit,
     const ShadeTargets& shaded, Film& film)
 {
     const PixelRect rect = pixels_of(place);

@@ -9,8 +9,8 @@ namespace firsthit {
 /// Where a tile lies in the picture.
 struct TilePlace {
     const ViewMemory& view;
-    Region part;   // the pixels that the view's pencil covers
-    Region region; // the pixels that the film covers
+    Region part;   // the pixels that the view's pencil occluders
+    Region region; // the pixels that the film occluders
     int samples;   // on a pixel's side
     int tile;
     /// Samples that have no colour of their own, a word for each block of the tile; empty: none.
@@ -26,7 +26,7 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
 /// Copies the tile to the film's planes that have a size; colour is the mean of a pixel's samples
 /// that are no holes (of all where all are), summed in a fixed order. The other planes need samples
 /// = 1.
-void store_tile(const TilePlace& place, const HitTile& hits, const LitTile& lit,
+void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibility& lit,
     const ShadeTargets& shaded, Film& film);
 
 /// What store_tile does where the tile has no item, and only colour is asked for, with one sample a

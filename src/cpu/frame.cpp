@@ -4,7 +4,7 @@
 #include "base/stopwatch.h"
 #include "cpu/film_planes.h"
 #include "film/film_size.h"
-#include "visibility/raster_tile.h"
+#include "visibility/raster/raster_tile.h"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameM
 }
 
 /// The tile's colours and planes, to the film.
-void finish_tile(const World& world, const HitTile& hits, const LitTile& lit,
+void finish_tile(const World& world, const HitTile& hits, const LightVisibility& lit,
     const TilePlace& place, const Pass& pass, TileWorker& worker, Film& film)
 {
     Stopwatch lap;
@@ -151,7 +151,7 @@ void render_part(const World& world, const View& view, const Region& part, const
     memory.hits.items =
         memory.hits.misses || (pass.shadows && pass.shadows->shadows != Shadows::map);
     resize(memory.holes, tile_size, kept);
-    const auto finish = [&](std::size_t tile, std::size_t place, const LitTile& lit,
+    const auto finish = [&](std::size_t tile, std::size_t place, const LightVisibility& lit,
                             const HitTile& hits, std::size_t number) {
         TilePlace where{memory.view, part, view.region, pass.samples, int(tile)};
         if (pass.fill) where.holes = memory.holes.of(place);
@@ -165,19 +165,20 @@ void render_part(const World& world, const View& view, const Region& part, const
         });
     } else {
         memory.tiles.resize(tiles);
-        start_lit(world, *pass.shadows, tiles, memory.lit, tasks);
+        start_light_visibility(world, *pass.shadows, tiles, memory.lit, tasks);
         for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
             memory.tiles[tile] = see_tile(items, part, pass, memory, tile, tile, number);
-            add_lit_hits(memory.tiles[tile], tile, memory.lit, number);
+            add_light_visibility_hits(memory.tiles[tile], tile, memory.lit, number);
         });
         watch.lap_ms();
-        find_lit(world, *pass.shadows, view.camera.eye, memory.tiles, memory.lit,
+        find_light_visibility(world, *pass.shadows, view.camera.eye, memory.tiles, memory.lit,
             tasks); // which lights reach it?
         stats.shadow_ms += watch.lap_ms();
         tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
             TileWorker& worker = *memory.workers[number];
             Stopwatch lap;
-            const LitTile lit = lit_of_tile(world, memory.tiles, tile, memory.lit, worker.lit);
+            const LightVisibility lit =
+                light_visibility_of_tile(world, memory.tiles, tile, memory.lit, worker.lit);
             worker.shadow_ms += lap.lap_ms();
             finish(tile, tile, lit, memory.tiles[tile], number);
         });
@@ -246,7 +247,7 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
         worker->counts = {};
         worker->hit_count = worker->missed_count = 0;
     }
-    add_lit_stats(memory.lit, stats);
+    add_light_visibility_stats(memory.lit, stats);
 }
 
 } // namespace

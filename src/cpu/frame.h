@@ -6,10 +6,10 @@
 #include "cpu/packed_tile.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
-#include "shadow/lit_stage.h"
-#include "visibility/item_tile.h"
-#include "visibility/raster_source.h"
-#include "visibility/view_memory.h"
+#include "shadow/light_visibility_stage.h"
+#include "visibility/raster/item_tile.h"
+#include "visibility/raster/raster_source.h"
+#include "visibility/bin/view_memory.h"
 
 #include <firsthit/render.h>
 
@@ -42,7 +42,7 @@ struct FrameMemory {
     RasterSource raster;
     HitMemory hits;             // of all tiles where lights wait for them, else one a worker
     std::vector<HitTile> tiles; // of all tiles
-    LitMemory lit;
+    LightVisibilityMemory lit;
     HoleMemory holes;
     std::vector<std::unique_ptr<TileWorker>> workers;
 };

@@ -4,7 +4,7 @@
 #include "base/buffer.h"
 #include "base/tasks.h"
 #include "hits/lattice.h"
-#include "visibility/item_tile.h"
+#include "visibility/raster/item_tile.h"
 
 #include <firsthit/film.h>
 

@@ -69,7 +69,7 @@ void resize(PackedTile& packed, int tile_size, std::size_t lights)
     packed.lit_share.resize(lights * samples);
 }
 
-void pack(const Packing& packing, int x, int y, const HitTile& hits, const LitTile& lit,
+void pack(const Packing& packing, int x, int y, const HitTile& hits, const LightVisibility& lit,
     std::size_t lights, PackedTile& packed)
 {
     const int blocks_x = hits.size / kBlock;

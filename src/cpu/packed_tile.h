@@ -4,7 +4,7 @@
 #include "base/buffer.h"
 #include "hits/lattice.h"
 #include "hits/hit_tile.h"
-#include "hits/lit_tile.h"
+#include "hits/light_visibility.h"
 
 #include <firsthit/film.h>
 
@@ -45,7 +45,7 @@ class Packing {
 /// A packed tile; kept from frame to frame.
 struct PackedTile {
     HitTile hits;
-    LitTile lit;
+    LightVisibility lit;
     Buffer<HitRun> run;
     Buffer<BlockPlace> place;         // (blocks)
     Buffer<std::uint64_t> covered;    // (blocks) samples with an item
@@ -57,7 +57,7 @@ void resize(PackedTile& packed, int tile_size, std::size_t lights);
 
 /// Packs a tile whose items are all on the lattice. (x, y): the picture's pixel that its first
 /// sample is. lights: of `lit`
-void pack(const Packing& packing, int x, int y, const HitTile& hits, const LitTile& lit,
+void pack(const Packing& packing, int x, int y, const HitTile& hits, const LightVisibility& lit,
     std::size_t lights, PackedTile& packed);
 
 /// Writes the packed tile's colours to the film, and the background to all its other pixels.

@@ -11,7 +11,7 @@ namespace {
 using glm::vec3;
 
 /// The corners whose pencil through the origin holds the light's rays.
-Corners pencil_corners(const LightSpace& space, const Corners& c)
+Corners pencil_corners(const PencilSpace& space, const Corners& c)
 {
     if (!space.directional) return c;
     return {vec3(c[0].x, c[0].y, 1), vec3(c[1].x, c[1].y, 1), vec3(c[2].x, c[2].y, 1)};
@@ -66,12 +66,12 @@ bool is_behind(const Corners& c, int facing, const vec3& d, float of_point, Effo
 
 } // namespace
 
-LightSpace light_space(const Light& light, const glm::dvec3& eye)
+PencilSpace light_space(const Light& light, const glm::dvec3& eye)
 {
     const auto largest = [](const glm::dvec3& v) {
         return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     };
-    LightSpace space;
+    PencilSpace space;
     space.directional = light.kind == Light::Kind::directional;
     if (!space.directional) {
         space.origin = glm::vec3(light.position);
@@ -100,7 +100,7 @@ Receiver receiver_of(const Corners& c, int side)
     return {vec3(n / (-side * largest)), corner_margin(c)};
 }
 
-bool is_shadowed(const LightSpace& space, const Corners& c, const vec3& d, Effort& effort)
+bool is_shadowed(const PencilSpace& space, const Corners& c, const vec3& d, Effort& effort)
 {
     if (!usable(c) || !has_shadow_ray(space, d)) return false;
     const Corners pencil = pencil_corners(space, c);
@@ -112,7 +112,7 @@ bool is_shadowed(const LightSpace& space, const Corners& c, const vec3& d, Effor
            is_behind(c, facing, d, shadow_margin(space, d), effort);
 }
 
-int light_side(const LightSpace& space, const Corners& c, Effort& effort)
+int light_side(const PencilSpace& space, const Corners& c, Effort& effort)
 {
     return usable(c) ? volume_sign(pencil_corners(space, c), effort) : 0;
 }

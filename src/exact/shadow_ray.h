@@ -49,7 +49,7 @@ inline constexpr float kShadowMargin = 0x1p-21f;
 inline constexpr double kMarginUnderflow = 0x1p-149;
 
 /// A light's frame.
-struct LightSpace {
+struct PencilSpace {
     bool directional = false;
     glm::vec3 origin{0}; // point, spot: where the light is
     glm::dmat3 axes{1};  // directional: rows: across, across, the way the light goes; orthonormal
@@ -57,10 +57,10 @@ struct LightSpace {
 };
 
 /// eye  where the points were seen from: their roundings are relative to it too
-LightSpace light_space(const Light& light, const glm::dvec3& eye);
+PencilSpace light_space(const Light& light, const glm::dvec3& eye);
 
 /// A point or vertex as the light sees it, rounded once.
-inline glm::vec3 to_light(const LightSpace& space, const glm::vec3& p)
+inline glm::vec3 to_light(const PencilSpace& space, const glm::vec3& p)
 {
     if (!space.directional) return p - space.origin;
     const auto row = [&](int r) {
@@ -77,7 +77,7 @@ inline float largest_coordinate(const glm::vec3& d)
 
 /// How far behind a plane the point has to lie because of its own roundings. In units of the
 /// light's space.
-inline float shadow_margin(const LightSpace& space, const glm::vec3& d)
+inline float shadow_margin(const PencilSpace& space, const glm::vec3& d)
 {
     return kShadowMargin * (2 * largest_coordinate(d) + space.reach);
 }
@@ -99,23 +99,23 @@ struct Receiver {
 Receiver receiver_of(const Corners& c, int side);
 
 /// The point d of the triangle, moved off its plane.
-inline glm::vec3 lifted(const LightSpace& space, const glm::vec3& d, const Receiver& receiver)
+inline glm::vec3 lifted(const PencilSpace& space, const glm::vec3& d, const Receiver& receiver)
 {
     const float height = 0.5f * (shadow_margin(space, d) + receiver.margin);
     return d + receiver.away * height;
 }
 
 /// Whether a point can be shadowed at all: finite, and not where the light is.
-inline bool has_shadow_ray(const LightSpace& space, const glm::vec3& d)
+inline bool has_shadow_ray(const PencilSpace& space, const glm::vec3& d)
 {
     return usable(d) && (space.directional || d != glm::vec3(0));
 }
 
 /// Whether the triangle (corners in the light's space) shadows the point d.
-bool is_shadowed(const LightSpace& space, const Corners& c, const glm::vec3& d, Effort& effort);
+bool is_shadowed(const PencilSpace& space, const Corners& c, const glm::vec3& d, Effort& effort);
 
 /// On which side of the triangle's plane the light is: exact, 0 where it lies in it. 1 where the
 /// light sees the corners clockwise in a right-handed frame, as volume_sign.
-int light_side(const LightSpace& space, const Corners& c, Effort& effort);
+int light_side(const PencilSpace& space, const Corners& c, Effort& effort);
 
 } // namespace firsthit

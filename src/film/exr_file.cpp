@@ -1,5 +1,5 @@
 // exr_file.cpp - writes planes as OpenEXR.
-#include "film/output_file.h"
+#include "io/output_file.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>

@@ -1,6 +1,6 @@
 // npy_file.cpp - writes NumPy arrays.
-#include "film/npy_header.h"
-#include "film/output_file.h"
+#include "io/npy_header.h"
+#include "io/output_file.h"
 #include "film/picture_files.h"
 
 #include <firsthit/npy.h>

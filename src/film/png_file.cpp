@@ -1,6 +1,6 @@
 // png_file.cpp - writes colour as 8-bit sRGB PNG.
 #include "base/srgb.h"
-#include "film/output_file.h"
+#include "io/output_file.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>

@@ -1,5 +1,5 @@
 // write_film.cpp - which plane goes to which format.
-#include "film/output_file.h"
+#include "io/output_file.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>

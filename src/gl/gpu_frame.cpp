@@ -4,7 +4,7 @@
 #include "film/film_size.h"
 #include "gl/bindings.h"
 #include "hits/lattice.h"
-#include "hits/multisample.h"
+#include "hits/item_repair.h"
 
 #include <algorithm>
 

@@ -6,13 +6,13 @@
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "exact/pencil.h"
-#include "gl/context.h"
-#include "gl/gpu_items.h"
-#include "gl/gpu_shadows.h"
-#include "gl/material_buffers.h"
+#include "gl/device/context.h"
+#include "gl/items/gpu_items.h"
+#include "gl/shadow/gpu_shadows.h"
+#include "gl/scene/material_buffers.h"
 #include "gl/sample_passes.h"
-#include "gl/scene_buffers.h"
-#include "gl/scene_textures.h"
+#include "gl/scene/scene_buffers.h"
+#include "gl/scene/scene_textures.h"
 
 #include <firsthit/film.h>
 #include <firsthit/render.h>
@@ -27,7 +27,7 @@ struct GpuOptions {
 };
 
 /// Buffers, textures and programs of the engine, kept from frame to frame: nothing is created once
-/// sizes have settled. To be made, used and deleted with its context current.
+/// sizes have decided. To be made, used and deleted with its context current.
 class GpuFrame {
   public:
     /// throws  DeviceError: see link_program

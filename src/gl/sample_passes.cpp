@@ -2,7 +2,7 @@
 #include "gl/sample_passes.h"
 
 #include "gl/bindings.h"
-#include "gl/context.h"
+#include "gl/device/context.h"
 
 #include <string>
 #include <string_view>

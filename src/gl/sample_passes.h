@@ -11,10 +11,10 @@
 //     shade(stored, masked)   shades these hits
 #pragma once
 
-#include "gl/gpu_data.h"
-#include "gl/hit_bounds.h"
-#include "gl/objects.h"
-#include "gl/program.h"
+#include "gl/scene/gpu_data.h"
+#include "gl/shadow/hit_bounds.h"
+#include "gl/device/objects.h"
+#include "gl/device/program.h"
 
 #include <firsthit/film.h>
 

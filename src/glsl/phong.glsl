@@ -37,12 +37,12 @@ FIRSTHIT_PURE real3 visible_normal(real3 n, real3 geometric, real3 to_eye)
 
 /// N.L, or 0 where the light is behind the shading normal. The triangle's plane has no say: whether
 /// it faces the light changes at once from triangle to triangle, where a smooth surface should fade.
-FIRSTHIT_PURE real lit_cosine(real3 n, real3 to_light)
+FIRSTHIT_PURE real n_dot_l(real3 n, real3 to_light)
 {
     return max(dot(n, to_light), 0.0f);
 }
 
-/// (R.V)^shininess, or 0 where `cosine`, the lit_cosine of the same point, is 0.
+/// (R.V)^shininess, or 0 where `cosine`, the n_dot_l of the same point, is 0.
 ///
 /// whole  the exponent if it is whole and small (the error grows with it), else -1
 FIRSTHIT_PURE real highlight(
@@ -60,7 +60,7 @@ FIRSTHIT_PURE real highlight(
 
 /// What one light adds.
 FIRSTHIT_PURE real3 reflected(
-    real3 light, real3 diffuse, real cosine, real3 specular, real glint)
+    real3 light, real3 diffuse, real cosine, real3 specular, real specular)
 {
-    return light * (diffuse * cosine + specular * glint);
+    return light * (diffuse * cosine + specular * specular);
 }

@@ -5,7 +5,7 @@
 
 /// map_depth  of what the light meets first, at the point's texel
 /// depth      of the point, in the same units along the same axis
-/// epsilon    how much nearer something has to be to count: see texel_epsilon
+/// epsilon    how much nearer something has to be to count: see slope_bias
 FIRSTHIT_PURE truth is_shadowed(real map_depth, real depth, real epsilon)
 {
     return map_depth < depth - epsilon;
@@ -23,9 +23,9 @@ FIRSTHIT_PURE truth is_shadowed(real map_depth, real depth, real epsilon)
 ///     ===P===C=====   |z(C) - z(P)| <= reach * z^2 (|n.x| + |n.y|) / |h|
 ///
 /// depth      of the point
-/// steepness  (|n.x| + |n.y| + |n.z|) / |h|, or / |n.z| where the rays are parallel (depth = 1)
+/// receiver_slope  (|n.x| + |n.y| + |n.z|) / |h|, or / |n.z| where the rays are parallel (depth = 1)
 /// reach      from the point to the farthest texel's centre on one axis: half of N texels
-FIRSTHIT_PURE real texel_epsilon(real depth, real steepness, real reach)
+FIRSTHIT_PURE real slope_bias(real depth, real receiver_slope, real reach)
 {
-    return (depth * depth) * (steepness * reach);
+    return (depth * depth) * (receiver_slope * reach);
 }

@@ -9,7 +9,7 @@
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
 #include "hits/resolve_tile.h"
-#include "visibility/set_up-inl.h"
+#include "visibility/raster/set_up-inl.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // picture_window.h - an item picture as one tile sees it.
 #pragma once
 
-#include "visibility/item_tile.h"
+#include "visibility/raster/item_tile.h"
 
 #include <firsthit/scene.h>
 

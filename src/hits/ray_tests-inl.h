@@ -14,8 +14,8 @@
 
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
-#include "visibility/set_up-inl.h"
-#include "visibility/view_memory.h"
+#include "visibility/raster/set_up-inl.h"
+#include "visibility/bin/view_memory.h"
 
 #include <algorithm>
 #include <bit>

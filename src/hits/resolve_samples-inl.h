@@ -9,7 +9,7 @@
 #endif
 
 #include "hits/lane_hits-inl.h"
-#include "visibility/view_memory.h"
+#include "visibility/bin/view_memory.h"
 
 #include <firsthit/scene.h>
 

@@ -13,7 +13,7 @@
 #include "hits/resolve_runs-inl.h"
 #include "hits/resolve_samples-inl.h"
 #include "hits/resolve_tile.h"
-#include "visibility/set_up-inl.h"
+#include "visibility/raster/set_up-inl.h"
 
 #include <firsthit/scene.h>
 

@@ -3,8 +3,8 @@
 
 #include "base/buffer.h"
 #include "hits/hit_tile.h"
-#include "visibility/item_tile.h"
-#include "visibility/view_memory.h"
+#include "visibility/raster/item_tile.h"
+#include "visibility/bin/view_memory.h"
 
 namespace firsthit {
 

@@ -27,7 +27,7 @@ struct SpotCone {
     float inv_width = 1;      // one over its difference to that of the half angle of full light
 };
 
-/// light  a spot that is sound (scene/check_light.h)
+/// light  a spot that is sound (scene/model/check_light.h)
 inline SpotCone spot_cone(const Light& light)
 {
     const auto versine = [](double angle_rad) {

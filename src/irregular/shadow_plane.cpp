@@ -31,7 +31,7 @@ constexpr double kMarginRoom = 0x1p-18;
 
 } // namespace
 
-ShadowPlane::ShadowPlane(const LightMesh& mesh, std::uint32_t triangle)
+ShadowPlane::ShadowPlane(const PencilMesh& mesh, std::uint32_t triangle)
     : directional_(mesh.space.directional),
       reach_(double(mesh.space.reach))
 {

@@ -2,8 +2,8 @@
 // not?
 #pragma once
 
-#include "irregular/light_mesh.h"
-#include "irregular/samples.h"
+#include "irregular/mesh/pencil_mesh.h"
+#include "irregular/mesh/samples.h"
 
 #include <glm/vec3.hpp>
 
@@ -22,7 +22,7 @@ enum class Certain { no, shadowed, lit };
 /// with |N| = |N.x| + |N.y| + |N.z| and s the margins over the point's c (1 for parallel light).
 class ShadowPlane {
   public:
-    ShadowPlane(const LightMesh& mesh, std::uint32_t triangle);
+    ShadowPlane(const PencilMesh& mesh, std::uint32_t triangle);
 
     /// For a sample whose ray hits the triangle.
     Certain behind(float x, float y, float w) const;

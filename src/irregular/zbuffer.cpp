@@ -10,9 +10,9 @@ constexpr std::size_t kManyTriangles = 128; // where there are more than these t
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
-void sort(const LightMesh& mesh, std::span<const IrregularSample> samples,
+void sort(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SampleRange> sample_ranges, std::size_t sample_count,
-    std::span<const SeenTriangle> triangles, std::span<const SampleRange> triangle_ranges,
+    std::span<const ProjectedTriangle> triangles, std::span<const SampleRange> triangle_ranges,
     const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
 {
     cells.bounds = bounds;
@@ -37,7 +37,7 @@ bool is_divided(const IrregularCells& cells, std::size_t cell)
 }
 
 /// A cell by itself, or divided into smaller ones.
-void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCells& cells,
+void test_cell(const PencilMesh& mesh, const OccluderList& occluders, const IrregularCells& cells,
     std::size_t cell, int level, const LightPoints& points, CellWorker& worker, Tasks& serial,
     std::span<std::uint8_t> shadowed)
 {
@@ -45,12 +45,13 @@ void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCe
     const auto triangles = cells.seen.of(cell);
     if (samples.empty() || triangles.empty()) return;
     const SampleBounds bounds = bounds_of(samples);
-    if (is_covered(mesh, covers, bounds, samples, points)) {
+    if (is_covered(mesh, occluders, bounds, samples, points)) {
         mark(samples, shadowed);
         return;
     }
     if (level == kCellLevels || !is_divided(cells, cell)) {
-        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
+        test_cell(
+            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.leaf, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
@@ -58,27 +59,28 @@ void test_cell(const LightMesh& mesh, const CoverList& covers, const IrregularCe
     sort(mesh, samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1}, bounds,
         inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
-        test_leaf(mesh, {samples, bounds, triangles, covers.span()}, points, worker.leaf, shadowed);
+        test_cell(
+            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.leaf, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
-        test_cell(mesh, covers, inner, k, level + 1, points, worker, serial, shadowed);
+        test_cell(mesh, occluders, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
 /// Takes the patches out that one triangle shadows.
-void find_covered(const LightMesh& mesh, std::span<const SamplePatch> patches,
+void find_covered(const PencilMesh& mesh, std::span<const SamplePatch> patches,
     const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory, Tasks& tasks)
 {
     memory.covered.resize(patches.size());
     memory.open.resize(patches.size());
     memory.is_covered.resize(patches.size());
-    memory.covers =
-        find_covers(mesh, memory.triangle_ranges.span(), bounds, memory.covers_of_range, tasks);
+    memory.occluders = find_occluders(
+        mesh, memory.triangle_ranges.span(), bounds, memory.occluders_of_range, tasks);
     tasks.for_each(patches.size(), [&](std::size_t k, std::size_t) {
         const SamplePatch& patch = patches[k];
         const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
         memory.is_covered[k] =
-            !samples.empty() && is_covered(mesh, memory.covers, patch.bounds, samples, points);
+            !samples.empty() && is_covered(mesh, memory.occluders, patch.bounds, samples, points);
     });
     std::size_t covered = 0, open = 0;
     for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -164,7 +166,7 @@ void prepare_workers(IrregularMemory& memory, int threads)
 
 } // namespace
 
-void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
+void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
     IrregularMemory& memory, Tasks& tasks)
 {
@@ -189,7 +191,7 @@ void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
         memory.cells, tasks);
 }
 
-void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+void test_face(const PencilMesh& mesh, const LightPoints& points, IrregularMemory& memory,
     Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     prepare_workers(memory, tasks.threads());
@@ -202,14 +204,14 @@ void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory
         const SampleRange& range = patches.patches[k].range;
         const auto triangles = patches.seen.of(k);
         if (!triangles.empty())
-            test_leaf(mesh,
+            test_cell(mesh,
                 {memory.samples.subspan(range.first, range.count), patches.patches[k].bounds,
-                    triangles, memory.covers.span()},
+                    triangles, memory.occluders.span()},
                 points, memory.workers[worker]->leaf, shadowed);
     });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
-        test_cell(mesh, memory.covers, cells, cell, 0, points, *memory.workers[worker],
+        test_cell(mesh, memory.occluders, cells, cell, 0, points, *memory.workers[worker],
             memory.serial, shadowed);
     });
 }

@@ -12,10 +12,10 @@
 //         Maps", Eurographics Symposium on Rendering
 #pragma once
 
-#include "irregular/cells.h"
-#include "irregular/covers.h"
-#include "irregular/leaf.h"
-#include "irregular/patches.h"
+#include "irregular/cells/cells.h"
+#include "irregular/cells/occluders.h"
+#include "irregular/cells/cell_kernel.h"
+#include "irregular/cells/patches.h"
 
 #include <array>
 #include <memory>
@@ -28,15 +28,15 @@ inline constexpr int kCellLevels = 6;
 
 /// One worker's memory.
 struct CellWorker {
-    LeafMemory leaf;
+    CellKernelMemory leaf;
     std::array<IrregularCells, kCellLevels> level;
 };
 
 /// Kept from frame to frame.
 struct IrregularMemory {
     std::span<const IrregularSample> samples;
-    CoverList covers;
-    Buffer<CoverList> covers_of_range;
+    OccluderList occluders;
+    Buffer<OccluderList> occluders_of_range;
     PatchMemory patches;
     IrregularCells cells;
     Buffer<SamplePatch> open;        // patches that are not
@@ -48,17 +48,17 @@ struct IrregularMemory {
     Tasks serial{1};
 };
 
-/// Sorts the samples of one face, and the triangles that see_through_face found for the same
+/// Sorts the samples of one face, and the triangles that project_through_face found for the same
 /// bounds.
 /// patches  of `samples`; no two samples have the same id
 /// bounds   of all of them
-void sort_face(const LightMesh& mesh, std::span<const IrregularSample> samples,
+void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
     IrregularMemory& memory, Tasks& tasks);
 
 /// Tests what was sorted: shadowed[id] = 1 for the samples that are shadowed, no other is written.
 /// Adds to the workers' counts.
-void test_face(const LightMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+void test_face(const PencilMesh& mesh, const LightPoints& points, IrregularMemory& memory,
     Tasks& tasks, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit

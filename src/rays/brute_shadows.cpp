@@ -19,7 +19,7 @@ constexpr std::size_t kSmallBlock = 64, kLargeBlock = 64 * kSmallBlock; // point
 
 /// A shadow ray's direction: it does not change which triangles are hit, only how well blocks of
 /// rays can be bounded. Off by at most one rounding in each coordinate.
-dvec3 direction_of(const LightSpace& space, const vec3& d)
+dvec3 direction_of(const PencilSpace& space, const vec3& d)
 {
     if (space.directional) return {d.x, d.y, 1};
     const dvec3 p(d), size = glm::abs(p);
@@ -31,7 +31,7 @@ dvec3 direction_of(const LightSpace& space, const vec3& d)
 struct CoherentKeys {
     dvec3 low{std::numeric_limits<double>::infinity()}, high{-low}; // of the directional rays
 
-    std::uint64_t operator()(const LightSpace& space, const vec3& d) const
+    std::uint64_t operator()(const PencilSpace& space, const vec3& d) const
     {
         const dvec3 ray = direction_of(space, d);
         double u, v;
@@ -63,7 +63,7 @@ struct FacedTriangle {
     dvec3 v0;
 };
 
-std::vector<FacedTriangle> face(const LightSpace& space, const LightTriangles& triangles)
+std::vector<FacedTriangle> face(const PencilSpace& space, const LightTriangles& triangles)
 {
     Effort effort;
     std::vector<FacedTriangle> faced;
@@ -97,7 +97,7 @@ struct Block {
     dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
     dvec3 ray_low{low}, ray_high{high}, ray_size{0};
 
-    void add(const LightSpace& space, const vec3& d)
+    void add(const PencilSpace& space, const vec3& d)
     {
         const dvec3 ray = direction_of(space, d);
         low = glm::min(low, dvec3(d)), high = glm::max(high, dvec3(d));
@@ -139,7 +139,7 @@ bool is_outside(const FacedTriangle& t, const dvec3& ray)
 
 /// What all blocks read, and the points in coherent order.
 struct Query {
-    const LightSpace& space;
+    const PencilSpace& space;
     const LightTriangles& triangles;
     std::span<const vec3> points;
     std::span<const std::uint32_t> receivers;
@@ -166,7 +166,7 @@ struct Query {
     }
 };
 
-Query prepare(const LightSpace& space, const LightTriangles& triangles,
+Query prepare(const PencilSpace& space, const LightTriangles& triangles,
     std::span<const vec3> points, std::span<const std::uint32_t> receivers)
 {
     Query query{space, triangles, points, receivers, face(space, triangles), {}};
@@ -209,7 +209,7 @@ void test_large_block(
 
 } // namespace
 
-std::vector<vec3> all_to_light(const LightSpace& space, std::span<const vec3> points)
+std::vector<vec3> all_to_light(const PencilSpace& space, std::span<const vec3> points)
 {
     std::vector<vec3> result;
     result.reserve(points.size());
@@ -217,7 +217,7 @@ std::vector<vec3> all_to_light(const LightSpace& space, std::span<const vec3> po
     return result;
 }
 
-bool is_shadowed_brute(const LightSpace& space, const LightTriangles& triangles, const vec3& d,
+bool is_shadowed_brute(const PencilSpace& space, const LightTriangles& triangles, const vec3& d,
     std::uint32_t receiver, Effort& effort)
 {
     for (std::size_t t = 0; t < triangles.index.size(); ++t)
@@ -225,7 +225,7 @@ bool is_shadowed_brute(const LightSpace& space, const LightTriangles& triangles,
     return false;
 }
 
-void brute_shadows(const LightSpace& space, const LightTriangles& triangles,
+void brute_shadows(const PencilSpace& space, const LightTriangles& triangles,
     std::span<const vec3> points, std::span<const std::uint32_t> receivers,
     std::span<std::uint8_t> shadowed, Tasks& tasks, const std::function<void(double)>& progress)
 {

@@ -26,12 +26,12 @@ struct LightTriangles {
 };
 
 /// Points or vertices as the light sees them, one for one.
-std::vector<glm::vec3> all_to_light(const LightSpace& space, std::span<const glm::vec3> points);
+std::vector<glm::vec3> all_to_light(const PencilSpace& space, std::span<const glm::vec3> points);
 
 /// Whether any triangle other than the receiver shadows the point d. receiver  the triangle that
 /// the point lies on, or kNoItem. This loop is the definition that exact shadows have to equal.
-bool is_shadowed_brute(const LightSpace& space, const LightTriangles& triangles, const glm::vec3& d,
-    std::uint32_t receiver, Effort& effort);
+bool is_shadowed_brute(const PencilSpace& space, const LightTriangles& triangles,
+    const glm::vec3& d, std::uint32_t receiver, Effort& effort);
 
 /// The same for many points: shadowed[k] = 1 or 0. Triangles are left out of a block of points only
 /// where the whole block is certainly not shadowed by them; everything else is decided point by
@@ -39,7 +39,7 @@ bool is_shadowed_brute(const LightSpace& space, const LightTriangles& triangles,
 /// points     (N) in the light's space
 /// receivers  (N), or empty: no point lies on a triangle
 /// progress   called now and then with the share that is done; may be empty
-void brute_shadows(const LightSpace& space, const LightTriangles& triangles,
+void brute_shadows(const PencilSpace& space, const LightTriangles& triangles,
     std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
     std::span<std::uint8_t> shadowed, Tasks& tasks,
     const std::function<void(double)>& progress = {});

@@ -1,4 +1,4 @@
-// embree_caster.cpp - Embree 3 as a second oracle, and as the peer in benchmarks.
+// embree_caster.cpp - Embree 3 as a second oracle, and as the baseline in benchmarks.
 #include "rays/embree_caster.h"
 
 #include "rays/embree_handles.h"

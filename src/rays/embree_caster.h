@@ -1,4 +1,4 @@
-// embree_caster.h - Embree 3 as a second oracle, and as the peer in benchmarks.
+// embree_caster.h - Embree 3 as a second oracle, and as the baseline in benchmarks.
 #pragma once
 
 #include "base/tasks.h"

@@ -1,4 +1,4 @@
-// embree_occluder.cpp - Embree 3 as a second oracle of shadows, and as the peer in benchmarks.
+// embree_occluder.cpp - Embree 3 as a second oracle of shadows, and as the baseline in benchmarks.
 #include "rays/embree_occluder.h"
 
 #include "rays/embree_handles.h"
@@ -42,7 +42,7 @@ struct EmbreeOccluder::Impl : EmbreeHandles {
     float before_all = 0; // a z below every corner's
 
     /// Points [first, first + kPacket) and below last.
-    void cast_packet(const LightSpace& space, std::span<const glm::vec3> points, std::size_t first,
+    void cast_packet(const PencilSpace& space, std::span<const glm::vec3> points, std::size_t first,
         std::size_t last, float short_of, Context& context, std::span<std::uint8_t> shadowed) const
     {
         alignas(32) RTCRay8 rays;
@@ -100,7 +100,7 @@ EmbreeOccluder::EmbreeOccluder(const LightTriangles& triangles, bool robust, int
 
 EmbreeOccluder::~EmbreeOccluder() = default;
 
-void EmbreeOccluder::test(const LightSpace& space, std::span<const glm::vec3> points,
+void EmbreeOccluder::test(const PencilSpace& space, std::span<const glm::vec3> points,
     std::span<const std::uint32_t> receivers, std::span<std::uint8_t> shadowed, Tasks& tasks,
     float short_of)
 {

@@ -1,4 +1,4 @@
-// embree_occluder.h - Embree 3 as a second oracle of shadows, and as the peer in benchmarks.
+// embree_occluder.h - Embree 3 as a second oracle of shadows, and as the baseline in benchmarks.
 #pragma once
 
 #include "rays/brute_shadows.h"
@@ -22,7 +22,7 @@ class EmbreeOccluder {
     /// roundings of the point does not count: `short_of` is the share of the ray that is left out.
     /// points     (N) in the light's space
     /// receivers  (N), or empty: nothing is skipped, which is quicker
-    void test(const LightSpace& space, std::span<const glm::vec3> points,
+    void test(const PencilSpace& space, std::span<const glm::vec3> points,
         std::span<const std::uint32_t> receivers, std::span<std::uint8_t> shadowed, Tasks& tasks,
         float short_of = 0x1p-20f);
 

@@ -1,7 +1,7 @@
 // check_occlusion.cpp - refuses points, lights and receivers that cannot be tested.
 #include "render/check_occlusion.h"
 
-#include "scene/check_light.h"
+#include "scene/model/check_light.h"
 
 #include <firsthit/error.h>
 

@@ -1,4 +1,4 @@
-// compare.cpp - holds the item buffer against other ray casters, each disagreement settled exactly.
+// compare.cpp - holds the item buffer against other ray casters, each disagreement decided exactly.
 #include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -7,7 +7,7 @@
 #include "rays/embree_caster.h"
 #endif
 #include "render/check_settings.h"
-#include "visibility/project.h"
+#include "visibility/bin/project.h"
 
 #include <firsthit/compare.h>
 #include <firsthit/error.h>

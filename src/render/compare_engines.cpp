@@ -8,8 +8,8 @@
 #ifdef FIRSTHIT_GL
 #include "render/opengl_engines.h"
 #endif
-#include "scene/check_light.h"
-#include "visibility/project.h"
+#include "scene/model/check_light.h"
+#include "visibility/bin/project.h"
 
 #include <firsthit/compare.h>
 #include <firsthit/error.h>
@@ -171,7 +171,7 @@ EngineComparison EngineComparer::compare(
         result.interpolated = stats.interpolated;
         Settings cpu = settings;
         cpu.engine = Engine::cpu;
-        impl.cpu_memory.lit.by_walls = false; // its maps are lent, of all lights
+        impl.cpu_memory.lit.by_occluders = false; // its maps are lent, of all lights
         render_frame(world, filled, cpu, impl.cpu_memory, impl.tasks, impl.cpu_film, stats);
         result.square_sum_same_items = impl.lend_items(world, filled, settings);
 #ifdef FIRSTHIT_GL

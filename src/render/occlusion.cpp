@@ -4,7 +4,7 @@
 #include "exact/shadow_ray.h"
 #include "hits/spot_cone.h"
 #include "render/check_occlusion.h"
-#include "shadow/point_shadows.h"
+#include "shadow/exact/point_shadows.h"
 
 #include <firsthit/occlusion.h>
 
@@ -27,7 +27,7 @@ struct Occlusion::Impl {
     {
         if (points.empty()) return;
         // Points are given as they are: no eye has rounded them.
-        const LightSpace space = light_space(light, glm::dvec3(0));
+        const PencilSpace space = light_space(light, glm::dvec3(0));
         test_points(world, space, set, memory, tasks, occluded);
         if (light.kind != Light::Kind::spot) return;
         const SpotCone cone = spot_cone(light);

@@ -3,13 +3,13 @@
 
 #include "base/tasks.h"
 #include "cpu/frame.h"
-#include "gl/certified_gpu_items.h"
-#include "gl/context.h"
-#include "gl/drawn_items.h"
-#include "gl/given_items.h"
+#include "gl/items/certified_gpu_items.h"
+#include "gl/device/context.h"
+#include "gl/items/drawn_items.h"
+#include "gl/items/given_items.h"
 #include "gl/gpu_frame.h"
-#include "gl/hybrid_items.h"
-#include "gl/hybrid_maps.h"
+#include "gl/items/hybrid_items.h"
+#include "gl/shadow/hybrid_maps.h"
 
 #include <firsthit/render.h>
 

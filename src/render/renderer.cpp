@@ -4,8 +4,8 @@
 #include "base/tasks.h"
 #include "render/check_settings.h"
 #include "render/engines.h"
-#include "scene/check_light.h"
-#include "scene/pose.h"
+#include "scene/model/check_light.h"
+#include "scene/animate/pose.h"
 
 #include <firsthit/error.h>
 #include <firsthit/render.h>

@@ -23,7 +23,7 @@ struct TileShade {
     const World& world;
     const ShadeArrays& arrays;
     const ShadeLights& lights;
-    const LitTile& lit;
+    const LightVisibility& lit;
     const ShadeTargets& targets;
 };
 
@@ -86,11 +86,11 @@ HWY_INLINE real3 phong(
             to_light = unit(real3(0.0f, 0.0f, 0.0f) - d);
         }
 
-        const real cosine = lit_cosine(points.normal, to_light);
-        const real glint = !glossy ? real(0.0f)
-                                   : highlight(points.normal, points.to_eye, to_light, cosine,
-                                         exponent.whole, exponent.value);
-        const real3 added = reflected(from_glm(light.color), diffuse, cosine, specular, glint);
+        const real cosine = n_dot_l(points.normal, to_light);
+        const real specular = !glossy ? real(0.0f)
+                                      : highlight(points.normal, points.to_eye, to_light, cosine,
+                                            exponent.whole, exponent.value);
+        const real3 added = reflected(from_glm(light.color), diffuse, cosine, specular, specular);
         if (lit || light.kind == Light::Kind::spot)
             // Lanes without light stay as they are where other lanes have some.
             color = select3(share > real(0.0f), color + added * share, color);

@@ -11,7 +11,7 @@
 #endif
 
 #include "shade/run_setup.h"
-#include "visibility/set_up-inl.h"
+#include "visibility/raster/set_up-inl.h"
 
 #include <hwy/cache_control.h>
 

@@ -178,7 +178,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
 /// Hits of whole pictures are kept longer than caches can hold them.
 constexpr std::uint32_t kBlocksAhead = 4;
 
-HWY_INLINE void ask_for_hits(const HitTile& hits, std::uint32_t block)
+HWY_INLINE void prefetch_hits(const HitTile& hits, std::uint32_t block)
 {
     constexpr int kLine = 64 / sizeof(float);
     if (block >= hits.blocks()) return;
@@ -187,7 +187,8 @@ HWY_INLINE void ask_for_hits(const HitTile& hits, std::uint32_t block)
             hwy::Prefetch(plane + block * std::uint32_t(kBlockSamples) + k);
 }
 
-void shade(const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
+void shade(const HitTile& hits, const World& world, const LightVisibility& lit,
+    const ShadeTargets& targets)
 {
     const ShadeLights lights(world.lights);
     const ShadeArrays arrays = shade_arrays(world);
@@ -213,7 +214,7 @@ void shade(const HitTile& hits, const World& world, const LitTile& lit, const Sh
         prefetch.advance(end, lit_before);
         const std::uint64_t reached = reached_samples(tile, block);
         lit_before = reached != 0;
-        ask_for_hits(hits, block + kBlocksAhead);
+        prefetch_hits(hits, block + kBlocksAhead);
         if (ahead && end > found) {
             first_found = r;
             found = std::min(hits.runs.size(), r + RunTextures::kRuns);
@@ -237,8 +238,8 @@ namespace firsthit {
 
 HWY_EXPORT(shade);
 
-void shade_tile(
-    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
+void shade_tile(const HitTile& hits, const World& world, const LightVisibility& lit,
+    const ShadeTargets& targets)
 {
     if (targets.any()) HWY_DYNAMIC_DISPATCH(shade)(hits, world, lit, targets);
 }

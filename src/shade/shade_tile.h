@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hits/hit_tile.h"
-#include "hits/lit_tile.h"
+#include "hits/light_visibility.h"
 
 #include <firsthit/scene.h>
 
@@ -36,11 +36,11 @@ struct ShadeTargets {
 ///
 /// hits     runs in any order of blocks; fastest where those of a block lie side by side
 /// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels is white
-///          sound lights (scene/check_light.h)
+///          sound lights (scene/model/check_light.h)
 /// limits   a light farther than 1e19 is not seen: the square of its distance is no float
 ///
 /// source  Phong 1975, "Illumination for Computer Generated Pictures"
-void shade_tile(
-    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets);
+void shade_tile(const HitTile& hits, const World& world, const LightVisibility& lit,
+    const ShadeTargets& targets);
 
 } // namespace firsthit

@@ -6,7 +6,7 @@
 #define FIRSTHIT_SHADOW_HIT_HULL_INL_H_
 #endif
 
-#include "shadow/ray_transform-inl.h"
+#include "shadow/map/ray_transform-inl.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/tasks.h"
-#include "visibility/item_tile.h"
-#include "visibility/view_memory.h"
+#include "visibility/raster/item_tile.h"
+#include "visibility/bin/view_memory.h"
 
 #include <firsthit/scene.h>
 #include <firsthit/view.h>

@@ -7,7 +7,7 @@
 
 #include "base/tile_order.h"
 #include "exact/hit.h"
-#include "visibility/triangle_box.h"
+#include "visibility/bin/triangle_box.h"
 
 #include <firsthit/scene.h>
 

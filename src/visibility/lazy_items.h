@@ -3,7 +3,7 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
-#include "visibility/view_memory.h"
+#include "visibility/bin/view_memory.h"
 
 #include <cstdint>
 #include <span>

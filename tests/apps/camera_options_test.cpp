@@ -1,6 +1,6 @@
 // camera_options_test.cpp - parts of a camera replaced from the command line.
-#include "camera_options.h"
-#include "usage.h"
+#include "options/camera_options.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 

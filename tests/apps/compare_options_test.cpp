@@ -1,6 +1,6 @@
 // compare_options_test.cpp - the command line of `compare`, before any scene is loaded.
 #include "compare_command.h"
-#include "usage.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 

@@ -1,6 +1,6 @@
 // frame_pattern_test.cpp - names of numbered files.
-#include "frame_pattern.h"
-#include "usage.h"
+#include "options/frame_pattern.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 

@@ -1,6 +1,6 @@
 // light_options_test.cpp - lights and shadows of the command line.
-#include "light_options.h"
-#include "usage.h"
+#include "options/light_options.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 

@@ -1,6 +1,6 @@
 // parse_test.cpp - words of the command line become values, or errors that quote them.
-#include "parse.h"
-#include "usage.h"
+#include "common/parse.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 

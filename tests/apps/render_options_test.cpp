@@ -1,6 +1,6 @@
 // render_options_test.cpp - the command line of `render`, before any scene is loaded.
-#include "render_options.h"
-#include "usage.h"
+#include "options/render_options.h"
+#include "common/usage.h"
 
 #include "message_of.h"
 #include "temporary_folder.h"

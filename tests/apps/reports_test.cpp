@@ -2,7 +2,7 @@
 #include "compare_command.h"
 #include "engine_report.h"
 #include "info_command.h"
-#include "progress.h"
+#include "common/progress.h"
 #include "stats_report.h"
 
 #include <gtest/gtest.h>

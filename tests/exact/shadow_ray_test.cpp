@@ -51,7 +51,7 @@ int displaced_sign(const BigPoint& a, const BigPoint& b, const BigPoint& ray)
     return 0;
 }
 
-int expected_side(const LightSpace& space, const Corners& c)
+int expected_side(const PencilSpace& space, const Corners& c)
 {
     std::array<BigPoint, 3> p{exact(c[0]), exact(c[1]), exact(c[2])};
     if (space.directional)
@@ -60,7 +60,7 @@ int expected_side(const LightSpace& space, const Corners& c)
 }
 
 /// The definition once more: nothing is shared with the library but the margins.
-bool expected_shadow(const LightSpace& space, const Corners& c, const vec3& d)
+bool expected_shadow(const PencilSpace& space, const Corners& c, const vec3& d)
 {
     const int side = expected_side(space, c);
     if (side == 0) return false;
@@ -91,9 +91,9 @@ struct Points {
     }
 };
 
-LightSpace random_space(std::mt19937& random)
+PencilSpace random_space(std::mt19937& random)
 {
-    LightSpace space;
+    PencilSpace space;
     space.directional = random() % 3 == 0;
     return space;
 }
@@ -102,7 +102,7 @@ LightSpace random_space(std::mt19937& random)
 struct Met {
     int shadowed = 0, lit = 0, exact = 0;
 
-    void check(const LightSpace& space, const Corners& c, const vec3& d)
+    void check(const PencilSpace& space, const Corners& c, const vec3& d)
     {
         Effort effort;
         const bool expected = expected_shadow(space, c, d);
@@ -123,7 +123,7 @@ TEST(IsShadowed, IsExactForPointsOfFewBits)
         for (const int range : {2, 5, 300}) {
             Points points{std::mt19937(unsigned(range)), range, scale};
             for (int round = 0; round < 2500 && !testing::Test::HasFailure(); ++round) {
-                const LightSpace space = random_space(points.random);
+                const PencilSpace space = random_space(points.random);
                 const Corners c{points.point(), points.point(), points.point()};
                 met.check(space, c, points.point());
                 met.check(space, c, points.random() % 2 ? c[0] : 2.0f * c[1]); // through a vertex
@@ -173,7 +173,7 @@ TEST(IsShadowed, IsExactOnThePlaneAndWithinRoundingOfIt)
         if (u + v > 1) u = 1 - u, v = 1 - v;
         vec3 d = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
         // The margins are 2^-21 times two or three times the size: straddle them by the light's ray.
-        const LightSpace space = random_space(random);
+        const PencilSpace space = random_space(random);
         const vec3 along = space.directional ? vec3(0, 0, 1) : d;
         d += along * (0x1p-21f * 12 * part(random));
         met.check(space, c, d);
@@ -192,7 +192,7 @@ TEST(IsShadowed, NeedsMoreThanTheMarginsExactly)
                 vec3(-1, -1, 4) * scale, vec3(2, -1, 4) * scale, vec3(-1, 2, 4) * scale};
             for (const int k : {1, 2, 3}) {
                 const vec3 d = vec3(0, 0, float(4 + k)) * scale;
-                LightSpace space;
+                PencilSpace space;
                 space.directional = directional;
                 space.reach = (float(k) * 0x1p21f - 4 - 2 * (4 + float(k))) * scale;
                 ASSERT_EQ(
@@ -210,7 +210,7 @@ TEST(IsShadowed, NeedsMoreThanTheMarginsExactly)
 TEST(IsShadowed, IsNotDoneByTrianglesInTheLightsPlaneNorBehindThePoint)
 {
     Effort effort;
-    LightSpace point, parallel;
+    PencilSpace point, parallel;
     parallel.directional = true;
     EXPECT_FALSE(
         is_shadowed(point, {vec3(-1, 0, 1), vec3(1, 0, 1), vec3(0, 0, 3)}, {0, 0, 9}, effort));
@@ -218,7 +218,7 @@ TEST(IsShadowed, IsNotDoneByTrianglesInTheLightsPlaneNorBehindThePoint)
     EXPECT_FALSE(
         is_shadowed(parallel, {vec3(-1, 0, 1), vec3(1, 0, 1), vec3(0, 0, 3)}, {0, 0, 9}, effort));
     const Corners c{vec3(-1, -1, 2), vec3(1, -1, 2), vec3(0, 1, 2)};
-    for (const LightSpace& space : {point, parallel}) {
+    for (const PencilSpace& space : {point, parallel}) {
         EXPECT_TRUE(is_shadowed(space, c, {0, 0, 3}, effort));
         EXPECT_FALSE(is_shadowed(space, c, {0, 0, 2}, effort)) << "on it";
         EXPECT_FALSE(is_shadowed(space, c, {0, 0, 1}, effort)) << "before it";
@@ -234,7 +234,7 @@ TEST(IsShadowed, IsNeverTrueOfWhatHasNoRayOrIsNoTriangle)
     Effort effort;
     const Corners c{vec3(-1, -1, 2), vec3(1, -1, 2), vec3(0, 1, 2)};
     for (const bool directional : {false, true}) {
-        LightSpace space;
+        PencilSpace space;
         space.directional = directional;
         for (const float bad : {INFINITY, -INFINITY, NAN, 1e30f, -2e30f}) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -258,7 +258,7 @@ TEST(IsShadowed, DoesNotCareAboutTheOrderOfTheCorners)
     Points points{std::mt19937(9), 3, 1};
     Effort effort;
     for (int round = 0; round < 5000; ++round) {
-        const LightSpace space = random_space(points.random);
+        const PencilSpace space = random_space(points.random);
         Corners c{points.point(), points.point(), points.point()};
         const vec3 d = points.point();
         const bool expected = is_shadowed(space, c, d, effort);
@@ -282,7 +282,7 @@ TEST(LightSpaceOf, ADirectionalLightHasARotationThatEndsInItsDirection)
         const double length = std::pow(10.0, round % 7 * 100 - 300);
         const glm::dvec3 way = glm::normalize(light.direction);
         light.direction *= length; // any length
-        const LightSpace space = light_space(light, {0, 0, 0});
+        const PencilSpace space = light_space(light, {0, 0, 0});
         EXPECT_LT(glm::length(space.axes * way - glm::dvec3(0, 0, 1)), 1e-14) << length;
         const glm::dmat3 unit = space.axes * glm::transpose(space.axes);
         for (int k = 0; k < 3; ++k)
@@ -318,7 +318,7 @@ TEST(Lifted, APointRisesTowardsTheLightByHalfItsMargins)
     std::mt19937 random(4);
     std::uniform_real_distribution<float> across(-1, 1), part(0, 1);
     for (int round = 0; round < 3000; ++round) {
-        const LightSpace space = random_space(random);
+        const PencilSpace space = random_space(random);
         const auto point = [&] { return vec3(across(random), across(random), 3 + across(random)); };
         const Corners c{point(), point(), point()};
         const vec3 d =

@@ -1,5 +1,5 @@
 // fuzz_aff.cpp - AFF scenes of any bytes: they are read and posed, or refused by an error of ours.
-#include "scene/aff/aff.h"
+#include "readers/aff/aff.h"
 
 #include <firsthit/error.h>
 #include <firsthit/scene.h>

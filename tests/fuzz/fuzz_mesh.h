@@ -1,8 +1,8 @@
 // fuzz_mesh.h - what every mesh reader is held to: a sound scene or an error of ours.
 #pragma once
 
-#include "scene/check_scene.h"
-#include "scene/mesh_file.h"
+#include "scene/model/check_scene.h"
+#include "readers/mesh_file.h"
 
 #include <firsthit/error.h>
 

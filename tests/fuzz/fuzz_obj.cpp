@@ -1,7 +1,7 @@
 // fuzz_obj.cpp - OBJ files and their material libraries, made of anything.
 #include "fuzz_mesh.h"
 
-#include "scene/mesh/mtl.h"
+#include "readers/mesh/mtl.h"
 
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // fuzz_texture.cpp - pictures of any bytes: they become textures, or are refused by a FileError.
-#include "scene/image_file.h"
+#include "readers/image/image_file.h"
 
 #include <firsthit/error.h>
 

@@ -1,6 +1,6 @@
 // replay.cpp - a fuzz target without libFuzzer: runs it on every file named, whole, cut off after
 // each byte, and with each byte replaced. Usage: fuzz_NAME FILE...
-#include "scene/whole_file.h"
+#include "io/whole_file.h"
 
 #include <array>
 #include <cstddef>

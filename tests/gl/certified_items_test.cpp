@@ -1,5 +1,5 @@
 // certified_items_test.cpp - unmarked samples are proven: they are held against the cpu engine's.
-#include "gl/certified_items.h"
+#include "gl/items/certified_items.h"
 
 #include "../cpu/adversarial_scenes.h"
 #include "gl_context.h"

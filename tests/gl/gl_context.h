@@ -1,8 +1,8 @@
 // gl_context.h - a context for a test, or the reason why there is none.
 #pragma once
 
-#include "gl/context.h"
-#include "gl/objects.h"
+#include "gl/device/context.h"
+#include "gl/device/objects.h"
 
 #include <firsthit/error.h>
 

@@ -1,7 +1,7 @@
 // gpu_frame_test.cpp - the gpu engine's pictures are the cpu engine's, given the same items and maps.
 #include "gl/gpu_pictures.h"
 
-#include "gl/drawn_items.h"
+#include "gl/items/drawn_items.h"
 
 #include "lights.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cpu/frame.h"
-#include "gl/given_items.h"
+#include "gl/items/given_items.h"
 #include "gl/gl_context.h"
 #include "gl/gpu_frame.h"
 #include "render/check_settings.h"

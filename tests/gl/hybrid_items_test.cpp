@@ -1,5 +1,5 @@
 // hybrid_items_test.cpp - frames of the CPU from items that OpenGL drew.
-#include "gl/hybrid_items.h"
+#include "gl/items/hybrid_items.h"
 
 #include "cpu/frame.h"
 #include "gl_context.h"

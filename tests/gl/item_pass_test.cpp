@@ -1,7 +1,7 @@
 // item_pass_test.cpp - items drawn by OpenGL against the cpu engine's.
-#include "gl/item_pass.h"
+#include "gl/items/item_pass.h"
 
-#include "gl/item_readback.h"
+#include "gl/items/item_readback.h"
 #include "gl_context.h"
 #include "items.h"
 #include "message_of.h"

@@ -1,5 +1,5 @@
 // program_test.cpp - shaders from the library's texts, and the errors of those that are wrong.
-#include "gl/program.h"
+#include "gl/device/program.h"
 
 #include "gl_context.h"
 #include "message_of.h"

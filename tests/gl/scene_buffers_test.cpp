@@ -1,10 +1,10 @@
 // scene_buffers_test.cpp - vertices posed by OpenGL, and what is uploaded for them.
-#include "gl/scene_buffers.h"
+#include "gl/scene/scene_buffers.h"
 
 #include "gl_context.h"
 #include "message_of.h"
 #include "scenes.h"
-#include "visibility/project.h"
+#include "visibility/bin/project.h"
 
 #include <glm/geometric.hpp>
 

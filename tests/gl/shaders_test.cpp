@@ -1,6 +1,6 @@
 // shaders_test.cpp - every shader in every variant is accepted by glslangValidator.
-#include "gl/program.h"
-#include "gl/shader_texts.h"
+#include "gl/device/program.h"
+#include "gl/device/shader_texts.h"
 
 #include <firsthit/film.h>
 

@@ -1,7 +1,7 @@
 // hit_runs_test.cpp - what resolve keeps of runs and of blocks, and that their number changes no bit.
 #include "hits/known_run.h"
 #include "instruction_sets.h"
-#include "shadow/hit_picture.h"
+#include "shadow/map/hit_picture.h"
 
 #include <gtest/gtest.h>
 

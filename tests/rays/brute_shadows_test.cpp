@@ -18,7 +18,7 @@ TEST_P(BruteShadows, LeavesOutOnlyWhatCannotShadow)
     const ShadowPoints asked = shadow_points(made, 1500, 2);
     Tasks tasks(2);
     for (const Light& light : world.lights) {
-        const LightSpace space = light_space(light, made.view.camera.eye);
+        const PencilSpace space = light_space(light, made.view.camera.eye);
         const std::vector<glm::vec3> corner = all_to_light(space, world.position),
                                      point = all_to_light(space, asked.point);
         const LightTriangles triangles{corner, world.scene->index};

@@ -1,5 +1,5 @@
 // endurance_test.cpp - ten thousand frames in one process: OpenGL's engines keep what they have.
-#include "gl/objects.h"
+#include "gl/device/objects.h"
 
 #include <firsthit/firsthit.h>
 
@@ -12,7 +12,7 @@
 namespace firsthit {
 namespace {
 
-constexpr int kFrames = 10000, kSettled = 1000;
+constexpr int kFrames = 10000, kDecided = 1000;
 
 /// Of this process, in memory.
 std::size_t resident_bytes()
@@ -59,7 +59,7 @@ TEST(Endurance, TenThousandFramesTakeNoMemoryAndAreNeverBlank)
         const auto row = film.color.value.begin() + 16 * 32 * 3;
         const auto [least, most] = std::minmax_element(row, row + 32 * 3);
         ASSERT_GT(*most - *least, 0.05f) << "frame " << frame;
-        if (frame == kSettled) {
+        if (frame == kDecided) {
             memory = resident_bytes();
             objects = gl::gl_objects_alive();
         }

@@ -52,7 +52,7 @@ inline real3 sample_texture(const Texture& texture, real u, real v, real length2
     return {texel_light(sum[0]), texel_light(sum[1]), texel_light(sum[2])};
 }
 
-inline void shade_sample(const HitTile& hits, const World& world, const LitTile& lit,
+inline void shade_sample(const HitTile& hits, const World& world, const LightVisibility& lit,
     const ShadeTargets& targets, const HitRun& run, int sample)
 {
     const Scene& scene = *world.scene;
@@ -111,11 +111,11 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
             to_light = unit(real3(0, 0, 0) - from_glm(d));
         }
         if (!(share > 0)) continue;
-        const real cosine = lit_cosine(normal, to_light);
-        const real glint =
+        const real cosine = n_dot_l(normal, to_light);
+        const real specular =
             highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
         color = color + reflected(from_glm(light.color), diffuse, cosine,
-                            from_glm(material.specular), glint) *
+                            from_glm(material.specular), specular) *
                             share;
     }
     write(targets.position, position);
@@ -130,8 +130,8 @@ inline void shade_sample(const HitTile& hits, const World& world, const LitTile&
 }
 } // namespace scalar
 
-inline void plain_shade(
-    const HitTile& hits, const World& world, const LitTile& lit, const ShadeTargets& targets)
+inline void plain_shade(const HitTile& hits, const World& world, const LightVisibility& lit,
+    const ShadeTargets& targets)
 {
     const int samples = hits.size * hits.size;
     for (int at = 0; at < samples; ++at)

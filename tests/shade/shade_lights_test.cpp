@@ -9,11 +9,11 @@ namespace firsthit {
 namespace {
 
 /// A white wall at depth 10 without ambient light. Its middle is the tile's first sample.
-struct Wall : TileScene {
+struct Occluder : TileScene {
     ShadeMemory memory;
     alignas(64) float lit[4 * 64]; // of up to 4 lights
 
-    Wall() : TileScene(8)
+    Occluder() : TileScene(8)
     {
         hits.frame.x0 = hits.frame.y0 = 0;
         material().ambient = {0, 0, 0};
@@ -27,9 +27,9 @@ struct Wall : TileScene {
         for (std::size_t k = 0; k < 64; ++k) lit[64 * light + k] = share;
     }
 
-    glm::vec3 color(const LitTile& lit_tile = {})
+    glm::vec3 color(const LightVisibility& light_visibility = {})
     {
-        shade_tile(hits, world, lit_tile, memory.targets);
+        shade_tile(hits, world, light_visibility, memory.targets);
         return at(memory.targets.color, 0, 0, hits.size);
     }
 };
@@ -45,7 +45,7 @@ Light spot_above(double angle_rad, double inner_rad, double outer_rad)
 
 TEST(ShadeLights, DirectionalLightOnAPlaneCountsByItsCosine)
 {
-    Wall wall;
+    Occluder wall;
     wall.world.lights = {{.kind = Light::Kind::directional,
         .position = {1e6, -3e9, 7},
         .direction = {0, 300 * std::sqrt(3.0), -300},
@@ -60,14 +60,14 @@ TEST(ShadeLights, DirectionalLightOnAPlaneCountsByItsCosine)
 
 TEST(ShadeLights, ASpotIsAPointLightInsideItsInnerCone)
 {
-    Wall wall;
+    Occluder wall;
     wall.world.lights = {spot_above(0.3, 0.31, 0.8)};
     EXPECT_EQ(wall.color(), glm::vec3(1));
 }
 
 TEST(ShadeLights, ASpotHasNoLightOutsideItsOuterCone)
 {
-    Wall wall;
+    Occluder wall;
     wall.world.lights = {spot_above(0.3, 0.1, 0.29)};
     EXPECT_EQ(wall.color(), glm::vec3(0));
     wall.world.lights = {spot_above(3.0, 0.1, 1.5)};
@@ -76,7 +76,7 @@ TEST(ShadeLights, ASpotHasNoLightOutsideItsOuterCone)
 
 TEST(ShadeLights, ASpotFadesBetweenItsCones)
 {
-    Wall wall;
+    Occluder wall;
     const double half = std::acos((std::cos(0.1) + std::cos(0.5)) / 2);
     wall.world.lights = {spot_above(half, 0.1, 0.5)};
     EXPECT_NEAR(wall.color().x, 0.5f, 1e-6f);
@@ -84,7 +84,7 @@ TEST(ShadeLights, ASpotFadesBetweenItsCones)
 
 TEST(ShadeLights, EachLightCountsAsFarAsItIsLit)
 {
-    Wall wall;
+    Occluder wall;
     wall.add_light({0, 0, 0}, {1, 0, 0});
     wall.add_light({0, 0, 0}, {0, 1, 0});
     wall.add_light({0, 0, 0}, {0, 0, 1});
@@ -96,7 +96,7 @@ TEST(ShadeLights, EachLightCountsAsFarAsItIsLit)
 
 TEST(ShadeLights, SamplesAreLitOneByOne)
 {
-    Wall wall;
+    Occluder wall;
     wall.add_light({0, 0, 0});
     for (int k = 0; k < 64; ++k) wall.lit[k] = k % 3 == 0 ? 1.0f : 0.0f;
     shade_tile(wall.hits, wall.world, {wall.lit, 64}, wall.memory.targets);
@@ -105,8 +105,8 @@ TEST(ShadeLights, SamplesAreLitOneByOne)
 
 TEST(ShadeLights, LitEverywhereIsAsWithoutShadows)
 {
-    Wall wall, plain;
-    for (Wall* each : {&wall, &plain}) {
+    Occluder wall, plain;
+    for (Occluder* each : {&wall, &plain}) {
         each->material().specular = glm::vec3(0.5f);
         each->material().shininess = 3.5f;
         each->world.lights = {{.position = {3, 4, -1}}, spot_above(0.2, 0, 0.7),
@@ -121,7 +121,7 @@ TEST(ShadeLights, LitEverywhereIsAsWithoutShadows)
 
 TEST(ShadeLights, SamplesWithoutAnItemAreNotAskedForTheirLight)
 {
-    Wall wall;
+    Occluder wall;
     wall.add_light({0, 0, 0});
     wall.runs = {{0, 0, 0, 0xF0F0F0F0F0F0F0F0u}};
     wall.point_at_arrays();
@@ -138,10 +138,10 @@ TEST(ShadeLights, SamplesWithoutAnItemAreNotAskedForTheirLight)
 
 TEST(ShadeLights, SpotsAddWhateverTheirNumber)
 {
-    Wall wall;
+    Occluder wall;
     for (int i = 0; i < 40; ++i) wall.world.lights.push_back(spot_above(0.2, i % 2 ? 0.3 : 0, 0.9));
     const float one_pair = [] {
-        Wall two;
+        Occluder two;
         two.world.lights = {spot_above(0.2, 0, 0.9), spot_above(0.2, 0.3, 0.9)};
         return two.color().x;
     }();

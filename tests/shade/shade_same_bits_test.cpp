@@ -14,7 +14,8 @@ namespace firsthit {
 namespace {
 
 /// color_only: then what the other planes need is left out.
-void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit, bool color_only)
+void expect_same_bits(
+    const TileScene& tile, const char* what, const LightVisibility& lit, bool color_only)
 {
     ShadeMemory plain;
     plain_shade(tile.hits, tile.world, lit, plain.targets);
@@ -40,7 +41,7 @@ void expect_same_bits(const TileScene& tile, const char* what, const LitTile& li
     });
 }
 
-void expect_same_bits(const TileScene& tile, const char* what, const LitTile& lit = {})
+void expect_same_bits(const TileScene& tile, const char* what, const LightVisibility& lit = {})
 {
     expect_same_bits(tile, what, lit, false);
     expect_same_bits(tile, what, lit, true);

@@ -1,4 +1,4 @@
-// shadow_memory_test.cpp - maps take no memory once their sizes have settled.
+// shadow_memory_test.cpp - maps take no memory once their sizes have decided.
 #include "allocations.h"
 #include "map_scenes.h"
 
@@ -24,7 +24,7 @@ TEST(ShadowMaps, AllocateNothingOnceTheirSizesHaveSettled)
         make_maps(world.world, picture, settings, tasks, maps);
         for (const auto& tile : picture.tiles)
             for (std::size_t light = 0; light < 3; ++light)
-                look_up(maps, world.world, tile->hits, light, lit.value);
+                sample_shadow_map(maps, world.world, tile->hits, light, lit.value);
     }
     EXPECT_EQ(allocations(), before);
     EXPECT_EQ(maps.updates, 18u);

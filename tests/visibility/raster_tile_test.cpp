@@ -2,9 +2,9 @@
 // depths within their bound.
 #include "cpu/adversarial_scenes.h"
 #include "items.h"
-#include "visibility/bins.h"
-#include "visibility/raster_tile.h"
-#include "visibility/triangle_box.h"
+#include "visibility/bin/bins.h"
+#include "visibility/raster/raster_tile.h"
+#include "visibility/bin/triangle_box.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 
 #include "bench/machine.h"
 #include "bench/paper.h"
-#include "bench/peers.h"
+#include "bench/baseline.h"
 #include "bench/report.h"
-#include "interrupt.h"
-#include "output.h"
+#include "common/interrupt.h"
+#include "common/output.h"
 
 #include <firsthit/file.h>
 
@@ -27,7 +27,7 @@ int run_bench(const BenchOptions& options)
     if (options.quick)
         report.page.paragraph("Made with --quick: few small frames, whose numbers say nothing.");
     if (options.paper) add_paper(options, report);
-    if (options.peers) add_peers(options, report);
+    if (options.baseline) add_baseline(options, report);
     report.page.heading("What this was measured on");
     report.add(machine_table(machine));
 

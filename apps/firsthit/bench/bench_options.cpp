@@ -1,7 +1,7 @@
 // bench_options.cpp - what `firsthit bench` was asked for.
 #include "bench/bench_options.h"
 
-#include "usage.h"
+#include "common/usage.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
@@ -20,13 +20,13 @@ namespace {
 constexpr const char* kFooter = R"(Examples:
   firsthit bench --paper
   firsthit bench --paper --bart Robot.aff -o report/ --json -
-  firsthit bench --peers --threads 1 -o peers/
+  firsthit bench --baseline --threads 1 -o baseline/
   firsthit bench --paper --quick --json quick.json
 
 The page is DIR/index.html, one file that needs no others; DIR/bench.json has its numbers. Both appear
 when all is measured; what was there is replaced. scripts/fetch_scenes.sh fetches bunny and dragon;
 BART's Robot.aff (Lext, Assarsson, Moeller 2000) is its users' own, builtin:robots stands in for it.
---peers takes ten minutes, and counts the pixels in which pictures differ; --full takes an hour.
+--baseline takes ten minutes, and counts the pixels in which pictures differ; --full takes an hour.
 Other programs that run meanwhile are seen in the numbers. --quick is for trying out the command: its
 pictures are small and its numbers say nothing. Exit codes: 0 done, 1 failed, 2 wrong usage.)";
 
@@ -69,7 +69,7 @@ void add_bench_options(CLI::App& app, BenchOptions& options)
 {
     app.add_flag("--paper", options.paper,
         "Measure what section 5 of Robert and Schoepke 2006 measures, beside the paper's numbers");
-    app.add_flag("--peers", options.peers, "Measure the cpu engine's frames beside Embree's");
+    app.add_flag("--baseline", options.baseline, "Measure the cpu engine's frames beside Embree's");
     app.add_option("-o,--output", options.output,
            "The page's folder, made where it is missing; default report, or no page with --json")
         ->type_name("DIR");
@@ -90,15 +90,15 @@ void add_bench_options(CLI::App& app, BenchOptions& options)
         app, "--rounds", options.rounds,
         [](const std::string& text) { return parse_integer(text, 1, 10000); }, "N",
         "Frames of each kind, 1 to 10000, of which the medians are shown");
-    app.add_flag("--full", options.full, "Of --peers: all scenes at all sizes, an hour's work");
+    app.add_flag("--full", options.full, "Of --baseline: all scenes at all sizes, an hour's work");
     app.add_flag("--quick", options.quick, "Few small frames: tries the command in seconds");
     app.footer(kFooter);
 }
 
 void check(const BenchOptions& options)
 {
-    if (!options.paper && !options.peers)
-        throw UsageError("nothing is asked for: say --paper, --peers or both");
+    if (!options.paper && !options.baseline)
+        throw UsageError("nothing is asked for: say --paper, --baseline or both");
     check_memory(size_of(options));
     if (!options.bart.empty()) check_readable(options.bart);
     if (const std::string folder = output_folder(options); !folder.empty()) {

@@ -1,7 +1,7 @@
 // bench_options.h - what `firsthit bench` was asked for.
 #pragma once
 
-#include "parse.h"
+#include "common/parse.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +12,7 @@ namespace firsthit::cli::bench {
 
 struct BenchOptions {
     bool paper = false;
-    bool peers = false;
+    bool baseline = false;
     std::string output; // the page's folder; empty: "report", or none where `json` is given
     std::string json;   // empty: none but the page's; "-": stdout
     std::string bart;   // Robot.aff; empty: builtin:robots
@@ -20,14 +20,14 @@ struct BenchOptions {
     std::optional<Size> size;
     int threads = 0;
     std::optional<int> rounds;
-    bool full = false;  // of --peers: all sizes and numbers of threads
+    bool full = false;  // of --baseline: all sizes and numbers of threads
     bool quick = false; // seconds instead of minutes; says nothing about speed
 };
 
 void add_bench_options(CLI::App& app, BenchOptions& options);
 
 /// Finds what cannot work before anything is measured.
-/// throws  UsageError: neither --paper nor --peers
+/// throws  UsageError: neither --paper nor --baseline
 ///         DeviceError: frames larger than the machine's memory
 ///         FileError: a folder or file that cannot be written, a --bart that is not there
 void check(const BenchOptions& options);

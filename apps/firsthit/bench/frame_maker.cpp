@@ -2,7 +2,7 @@
 #include "bench/frame_maker.h"
 
 #include "bench/quartiles.h"
-#include "stopwatch.h"
+#include "common/stopwatch.h"
 
 #include <ctime>
 
@@ -17,7 +17,7 @@ std::vector<Aov> planes(bool items)
 
 class OurFrames : public FrameMaker {
   public:
-    OurFrames(const PeerScene& scene, const Size& size, int threads, const Settings& settings)
+    OurFrames(const BaselineScene& scene, const Size& size, int threads, const Settings& settings)
         : scene_(scene),
           size_(size),
           settings_(settings),
@@ -40,7 +40,7 @@ class OurFrames : public FrameMaker {
     }
 
   private:
-    const PeerScene& scene_;
+    const BaselineScene& scene_;
     Size size_;
     Settings settings_;
     Renderer renderer_;
@@ -49,11 +49,11 @@ class OurFrames : public FrameMaker {
 
 class EmbreeFrames : public FrameMaker {
   public:
-    EmbreeFrames(
-        const PeerScene& scene, const Size& size, int threads, PeerUpdate update, int packet)
+    EmbreeFrames(const BaselineScene& scene, const Size& size, int threads, BaselineUpdate update,
+        int packet)
         : scene_(scene),
           size_(size),
-          peer_(*scene.scene, update, threads, packet)
+          baseline_(*scene.scene, update, threads, packet)
     {
         settings_.shadows = Shadows::exact;
     }
@@ -62,22 +62,22 @@ class EmbreeFrames : public FrameMaker {
     void make(double time_s, bool items, Film& film) override
     {
         settings_.aovs = planes(items);
-        const World& world = peer_.pose(time_s);
-        if (!scene_.kept) peer_.assume_moved();
-        peer_.render(scene_.view(world, size_), settings_, film);
+        const World& world = baseline_.pose(time_s);
+        if (!scene_.kept) baseline_.assume_moved();
+        baseline_.render(scene_.view(world, size_), settings_, film);
     }
     Stages stages() const override
     {
-        const PeerStats& s = peer_.stats();
+        const BaselineStats& s = baseline_.stats();
         return {{"pose", s.pose_ms}, {"update", s.update_ms}, {"primary", s.primary_ms},
             {"shadow", s.shadow_ms}, {"shade", s.shade_ms}};
     }
 
   private:
-    const PeerScene& scene_;
+    const BaselineScene& scene_;
     Size size_;
     Settings settings_;
-    EmbreePeer peer_;
+    EmbreeBaseline baseline_;
 };
 
 } // namespace
@@ -117,23 +117,23 @@ Stages FrameMaker::median_stages() const
 }
 
 std::unique_ptr<FrameMaker> our_frames(
-    const PeerScene& scene, const Size& size, int threads, const Settings& settings)
+    const BaselineScene& scene, const Size& size, int threads, const Settings& settings)
 {
     return std::make_unique<OurFrames>(scene, size, threads, settings);
 }
 
 std::unique_ptr<FrameMaker> embree_frames(
-    const PeerScene& scene, const Size& size, int threads, PeerUpdate update, int packet)
+    const BaselineScene& scene, const Size& size, int threads, BaselineUpdate update, int packet)
 {
     return std::make_unique<EmbreeFrames>(scene, size, threads, update, packet);
 }
 
-double round_time(const PeerScene& scene, int round)
+double round_time(const BaselineScene& scene, int round)
 {
     return scene.time_s + (round + FrameMaker::kWarmUp) * kFrameTime_s;
 }
 
-Contender contender(std::string name, const PeerScene& scene, FrameMaker& maker)
+Contender contender(std::string name, const BaselineScene& scene, FrameMaker& maker)
 {
     return {std::move(name), [&scene, &maker](int round) {
                 return maker.measured_frame(round_time(scene, round), round);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bench/in_turn.h"
-#include "bench/peer_scenes.h"
+#include "bench/baseline_scenes.h"
 
-#include <firsthit/peer.h>
+#include <firsthit/baseline.h>
 #include <firsthit/render.h>
 
 #include <memory>
@@ -54,16 +54,16 @@ class FrameMaker {
 
 /// The scene has to outlive its makers.
 std::unique_ptr<FrameMaker> our_frames(
-    const PeerScene& scene, const Size& size, int threads, const Settings& settings);
+    const BaselineScene& scene, const Size& size, int threads, const Settings& settings);
 /// packet  0: the widest
-/// throws  DeviceError as EmbreePeer
+/// throws  DeviceError as EmbreeBaseline
 std::unique_ptr<FrameMaker> embree_frames(
-    const PeerScene& scene, const Size& size, int threads, PeerUpdate update, int packet);
+    const BaselineScene& scene, const Size& size, int threads, BaselineUpdate update, int packet);
 
 /// The maker's frames for measure_in_turn: a little later from round to round.
-Contender contender(std::string name, const PeerScene& scene, FrameMaker& maker);
+Contender contender(std::string name, const BaselineScene& scene, FrameMaker& maker);
 
 /// The time of a round.
-double round_time(const PeerScene& scene, int round);
+double round_time(const BaselineScene& scene, int round);
 
 } // namespace firsthit::cli::bench

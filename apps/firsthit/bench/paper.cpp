@@ -6,7 +6,7 @@
 #include "bench/paper_numbers.h"
 #include "bench/paper_pictures.h"
 #include "bench/paper_tables.h"
-#include "progress.h"
+#include "common/progress.h"
 
 #include <fmt/format.h>
 

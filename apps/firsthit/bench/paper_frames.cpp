@@ -2,8 +2,8 @@
 #include "bench/paper_frames.h"
 
 #include "bench/in_turn.h"
-#include "output.h"
-#include "stopwatch.h"
+#include "common/output.h"
+#include "common/stopwatch.h"
 
 #include <fmt/format.h>
 

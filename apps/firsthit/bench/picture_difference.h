@@ -1,7 +1,7 @@
 // picture_difference.h - how many pixels of two pictures are not the same.
 #pragma once
 
-#include "json.h"
+#include "common/json.h"
 
 #include <firsthit/film.h>
 

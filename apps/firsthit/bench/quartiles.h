@@ -1,7 +1,7 @@
 // quartiles.h - what many measurements of the same thing say: the middle, and how far they spread.
 #pragma once
 
-#include "json.h"
+#include "common/json.h"
 
 #include <cstddef>
 #include <vector>

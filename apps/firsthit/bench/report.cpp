@@ -1,7 +1,7 @@
 // report.cpp - what a benchmark found: for the page, for programs, for the terminal.
 #include "bench/report.h"
 
-#include "interrupt.h"
+#include "common/interrupt.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>

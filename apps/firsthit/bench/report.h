@@ -10,7 +10,7 @@
 namespace firsthit::cli::bench {
 
 struct Report {
-    Json json = Json::object(); // a member for each mode: "machine", "paper", "peers"
+    Json json = Json::object(); // a member for each mode: "machine", "paper", "baseline"
     Page page{"Firsthit: measured"};
     std::string text; // for the terminal
 

@@ -1,4 +1,4 @@
-// frame.glsl - what all pixels of a frame share. The layouts are those of gl/gpu_data.h.
+// frame.glsl - what all pixels of a frame share. The layouts are those of gl/scene/gpu_data.h.
 
 layout(std140, binding = 0) uniform Frame
 {

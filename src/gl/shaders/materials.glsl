@@ -1,4 +1,4 @@
-// materials.glsl - the scene's materials. The layout is that of gl/gpu_data.h.
+// materials.glsl - the scene's materials. The layout is that of gl/scene/gpu_data.h.
 
 struct MaterialData {
     vec3 ambient;

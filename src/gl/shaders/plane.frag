@@ -14,7 +14,7 @@
 #include "sample_texture.glsl"
 #include "surface.glsl"
 #include "lights.glsl"
-#include "shadow_look_up.glsl"
+#include "sample_shadow_map.glsl"
 #include "shade.glsl"
 
 #if FIRSTHIT_PLANE == 0

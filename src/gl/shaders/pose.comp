@@ -1,4 +1,4 @@
-// pose.comp - moves every vertex to where it is at the frame's time: see gl/scene_buffers.h.
+// pose.comp - moves every vertex to where it is at the frame's time: see gl/scene/scene_buffers.h.
 //
 // SURFACES 1: world positions and normals too, not eye space alone.
 

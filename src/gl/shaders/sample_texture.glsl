@@ -1,6 +1,6 @@
 // sample_texture.glsl - the texture's colour at a sample, trilinear: src/shade/sample_texture-inl.h.
 //
-// All texels of all textures lie in one buffer (gl/material_buffers.h): any number of textures of any
+// All texels of all textures lie in one buffer (gl/scene/material_buffers.h): any number of textures of any
 // size, and the texels' weights are the text's own, not a texture unit's 8 bits.
 
 layout(binding = 12) uniform usamplerBuffer texture_words;

@@ -1,4 +1,4 @@
-// scene.glsl - triangles as they are posed: see gl/scene_textures.h.
+// scene.glsl - triangles as they are posed: see gl/scene/scene_textures.h.
 //
 // Arrays are fetched as texels, as in the paper (section 4.2.1): drivers are faster at it than at
 // storage blocks.

@@ -1,4 +1,4 @@
-// screen.vert - one triangle that covers the picture: each pixel runs the fragment shader once.
+// screen.vert - one triangle that occluders the picture: each pixel runs the fragment shader once.
 
 void main()
 {

@@ -6,7 +6,7 @@
 float lit_by(int light_id, ivec2 sample_at, Hit hit, Surface surface)
 {
 #if FIRSTHIT_SHADOW_MAPS
-    return look_up(light_id, light_data[light_id], eye_direction(sample_at), hit.t, surface);
+    return sample_shadow_map(light_id, light_data[light_id], eye_direction(sample_at), hit.t, surface);
 #else
     return 1.0; // every light reaches everything
 #endif
@@ -45,12 +45,12 @@ vec3 shade(ivec2 sample_at, Hit hit, Surface surface)
             to_light = unit(-d);
         }
 
-        float cosine = lit_cosine(surface.normal, to_light);
-        float glint = 0.0;
+        float cosine = n_dot_l(surface.normal, to_light);
+        float specular = 0.0;
         if (glossy)
-            glint = highlight(surface.normal, surface.to_eye, to_light, cosine,
+            specular = highlight(surface.normal, surface.to_eye, to_light, cosine,
                 material.whole_shininess, material.shininess);
-        color += reflected(light.color, diffuse, cosine, material.specular, glint) * share;
+        color += reflected(light.color, diffuse, cosine, material.specular, specular) * share;
     }
     return color;
 }

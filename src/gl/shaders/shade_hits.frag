@@ -17,7 +17,7 @@
 #include "sample_texture.glsl"
 #include "surface.glsl"
 #include "lights.glsl"
-#include "shadow_look_up.glsl"
+#include "sample_shadow_map.glsl"
 #include "shade.glsl"
 #include "count_invocations.glsl"
 

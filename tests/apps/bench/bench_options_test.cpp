@@ -23,10 +23,11 @@ BenchOptions parsed(std::vector<std::string> words)
 
 TEST(BenchOptions, AreRead)
 {
-    const BenchOptions options = parsed({"--paper", "--peers", "-o", "out", "--json", "-", "--bart",
-        "R.aff", "--scenes", "models", "--size", "64x32", "--threads", "2", "--rounds", "5"});
+    const BenchOptions options =
+        parsed({"--paper", "--baseline", "-o", "out", "--json", "-", "--bart", "R.aff", "--scenes",
+            "models", "--size", "64x32", "--threads", "2", "--rounds", "5"});
     EXPECT_TRUE(options.paper);
-    EXPECT_TRUE(options.peers);
+    EXPECT_TRUE(options.baseline);
     EXPECT_EQ(output_folder(options), "out");
     EXPECT_EQ(options.json, "-");
     EXPECT_EQ(robots_scene(options), "R.aff");

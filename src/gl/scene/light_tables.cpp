@@ -1,0 +1,93 @@
+// light_tables.cpp - lights and shadow maps as shaders read them.
+#include "gl/scene/light_tables.h"
+
+#include "shade/shade_light.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+namespace firsthit::gl {
+namespace {
+
+constexpr float kRounding = 0x1p-20f; // as shadow/sample_shadow_map.cpp
+
+/// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
+constexpr double kNeighbours = 1.5;
+
+/// Into the space matrix * (p - origin) + offset; put together in double, so that only small
+/// numbers are left for float.
+RayTransformData ray_transform(const SampleFrame& frame, const glm::dmat3& matrix,
+    const glm::dvec3& origin, const glm::dvec3& offset)
+{
+    const glm::dmat3 axes = matrix * glm::dmat3(frame.world_from_eye);
+    const double inv_f = double(frame.inv_f);
+    return {.eye = glm::vec3(matrix * (glm::dvec3(frame.eye) - origin) + offset),
+        .right = glm::vec3(axes[0] * inv_f),
+        .down = glm::vec3(axes[1] * inv_f),
+        .forward = glm::vec3(axes[2])};
+}
+
+/// The face of a light that all its hits are on, or -1.
+int only_face(const ShadowLight& light)
+{
+    int faces = 0, only = -1;
+    for (int face = 0; face < kFaces; ++face)
+        if (light.map[std::size_t(face)].width() > 0) ++faces, only = face;
+    return faces == 1 ? only : -1;
+}
+
+} // namespace
+
+SampleFrame sample_frame(const Pencil& pencil)
+{
+    return {.eye = glm::vec3(pencil.eye),
+        .world_from_eye = glm::mat3(pencil.world_from_axes),
+        .inv_f = float(1 / pencil.f)};
+}
+
+void fill_lights(const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps,
+    std::vector<LightData>& lights)
+{
+    lights.clear();
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const ShadeLight shade = shade_light(world.lights[l]);
+        const LightFrame axes = light_frame(world.lights[l]);
+        const glm::dmat3 rows = glm::transpose(axes.axes);
+        lights.push_back({.to_frame = ray_transform(frame, axes.axes, axes.origin, glm::dvec3(0)),
+            .color = shade.color,
+            .kind = std::int32_t(shade.kind),
+            .position = shade.position,
+            .tan2_cone = float(axes.tan2_cone),
+            .to_light = shade.to_light,
+            .only_face = l < maps.size() ? only_face(maps[l]) : -1,
+            .axis = shade.cone.axis,
+            .outer = shade.cone.outer,
+            .frame_x = glm::vec3(rows[0]),
+            .inv_width = shade.cone.inv_width,
+            .frame_y = glm::vec3(rows[1]),
+            .cube = axes.cube,
+            .frame_z = glm::vec3(rows[2])});
+    }
+}
+
+void fill_maps(std::span<const ShadowLight> lights, const SampleFrame& frame,
+    std::span<const std::uint32_t> first, int filter, std::vector<MapData>& maps)
+{
+    maps.clear();
+    for (std::size_t k = 0; k < lights.size() * kFaces; ++k) {
+        const ShadowMap& map = lights[k / kFaces].map[k % kFaces];
+        MapData data;
+        if (map.width() > 0) {
+            const glm::dvec3 eye = glm::abs(glm::dvec3(frame.eye) - map.origin);
+            data.to_map = ray_transform(frame, map.matrix, map.origin, map.offset);
+            data.first = first[k];
+            data.width = map.width();
+            data.height = map.height();
+            data.reach = float(kNeighbours * 0.5 * filter * map.source.fit.texel);
+            data.rounding = kRounding * float(eye.x + eye.y + eye.z);
+        }
+        maps.push_back(data);
+    }
+}
+
+} // namespace firsthit::gl

@@ -1,0 +1,117 @@
+// material_buffers.cpp - materials and textures where shaders read them.
+#include "gl/scene/material_buffers.h"
+
+#include "gl/bindings.h"
+#include "gl/device/context.h"
+#include "shade/phong_exponent.h"
+
+#include <firsthit/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <span>
+
+namespace firsthit::gl {
+namespace {
+
+constexpr std::size_t kTexelWords = sizeof(Texel) / sizeof(std::uint32_t);
+
+void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
+{
+    all.clear();
+    for (const Material& material : scene.materials) {
+        const PhongExponent exponent = phong_exponent(material.shininess);
+        MaterialData data{.ambient = material.ambient,
+            .diffuse = material.diffuse,
+            .shininess = exponent.value,
+            .specular = material.specular,
+            .whole_shininess = exponent.whole};
+        const auto texture = std::size_t(material.texture);
+        if (material.texture >= 0 && texture < scene.textures.size() &&
+            scene.textures[texture].levels() > 0)
+            data.texture = material.texture;
+        all.push_back(data);
+    }
+}
+
+/// What comes before the texels; their places are filled in.
+void fill_tables(const Scene& scene, std::vector<std::uint32_t>& words)
+{
+    words.clear();
+    std::size_t row = 4 * scene.textures.size(), levels = 0;
+    for (const Texture& texture : scene.textures) {
+        words.push_back(std::uint32_t(row + levels));
+        words.push_back(std::uint32_t(texture.levels()));
+        words.push_back(std::uint32_t(texture.width()));
+        words.push_back(std::uint32_t(texture.height()));
+        levels += std::size_t(texture.levels());
+    }
+    std::size_t texel = row + levels;
+    for (const Texture& texture : scene.textures) {
+        for (int l = 0; l < texture.levels(); ++l)
+            words.push_back(
+                std::uint32_t(texel + kTexelWords * std::size_t(texture.first()[std::size_t(l)])));
+        texel += kTexelWords * texture.texels().size();
+    }
+}
+
+/// Calls body(its texels' bytes, their place among the words) for all textures.
+template <class Body>
+void for_textures(const Scene& scene, std::size_t first, const Body& body)
+{
+    for (const Texture& texture : scene.textures) {
+        body(std::as_bytes(texture.texels()), first);
+        first += kTexelWords * texture.texels().size();
+    }
+}
+
+} // namespace
+
+void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
+{
+    fill_materials(scene, material_);
+    if (kept_material_.follow(material_)) {
+        materials_.assign(std::span<const MaterialData>(material_));
+        ++uploads_;
+        uploaded_bytes_ += material_.size() * sizeof(MaterialData);
+    }
+
+    fill_tables(scene, tables_);
+    std::size_t size = tables_.size();
+    for (const Texture& texture : scene.textures) size += kTexelWords * texture.texels().size();
+    if (size * 4 > std::size_t(max_storage_bytes))
+        throw DeviceError(
+            fmt::format("OpenGL: the textures take {} bytes, one buffer may have {} ({})", size * 4,
+                max_storage_bytes, driver_name()));
+    bool same = words_.size() == size && std::equal(tables_.begin(), tables_.end(), words_.begin());
+    if (same)
+        for_textures(
+            scene, tables_.size(), [&](std::span<const std::byte> texels, std::size_t first) {
+                same = same && (texels.empty() || std::memcmp(texels.data(), words_.data() + first,
+                                                      texels.size()) == 0);
+            });
+    if (same) return;
+
+    words_.resize(size);
+    std::copy(tables_.begin(), tables_.end(), words_.begin());
+    for_textures(scene, tables_.size(), [&](std::span<const std::byte> texels, std::size_t first) {
+        if (!texels.empty()) std::memcpy(words_.data() + first, texels.data(), texels.size());
+    });
+    texture_words_.assign(std::span<const std::uint32_t>(words_));
+    ++uploads_;
+    uploaded_bytes_ += words_.size() * sizeof(std::uint32_t);
+    check("uploading textures");
+}
+
+void MaterialBuffers::bind()
+{
+    material_texels_.look_at(materials_, GL_RGBA32F, 16);
+    material_texels_.bind(kMaterialsUnit);
+    word_texels_.look_at(texture_words_, GL_R32UI, 4);
+    word_texels_.bind(kTexturesUnit);
+}
+
+} // namespace firsthit::gl

@@ -1,0 +1,17 @@
+// item.frag - the triangle's number: see gl/items/item_pass.h. COLORS 1: as bytes, the lowest in red.
+
+#if COLORS
+layout(location = 0) out vec4 color;
+#else
+layout(location = 0) out uint item;
+#endif
+
+void main()
+{
+    uint id = uint(gl_PrimitiveID);
+#if COLORS
+    color = vec4(uvec4(id, id >> 8, id >> 16, id >> 24) & 255u) / 255.0;
+#else
+    item = id;
+#endif
+}

@@ -1,0 +1,68 @@
+// gpu_shadows.cpp - the shadow maps of the gpu engine, kept from frame to frame.
+#include "gl/shadow/gpu_shadows.h"
+
+#include "gl/bindings.h"
+#include "gl/device/context.h"
+
+#include <algorithm>
+#include <span>
+
+namespace firsthit::gl {
+namespace {
+
+/// A uniform block is read as if it had all its room.
+void upload(Buffer& table, std::span<const std::byte> data, std::size_t room)
+{
+    table.resize(std::max(data.size(), room));
+    table.upload(0, data.data(), data.size());
+}
+
+void bind_table(const Buffer& table, GLuint binding, std::size_t lights)
+{
+    if (lights <= kFewLights)
+        glBindBufferBase(GL_UNIFORM_BUFFER, binding, table.name());
+    else
+        table.bind_storage(binding);
+}
+
+} // namespace
+
+void GpuShadows::upload_tables(
+    const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps, int filter)
+{
+    fill_lights(world, frame, maps, light_data_);
+    fill_maps(maps, frame, texels_.first(), filter, map_data_);
+    upload(lights_, std::as_bytes(std::span(light_data_)), kFewLights * sizeof(LightData));
+    upload(map_table_, std::as_bytes(std::span(map_data_)), kFewLights * kFaces * sizeof(MapData));
+    bind_table(lights_, kLights, light_data_.size());
+    bind_table(map_table_, kMaps, light_data_.size());
+    if (!maps.empty()) texels_.bind_texels();
+}
+
+void GpuShadows::set_lights(const World& world, const SampleFrame& frame)
+{
+    upload_tables(world, frame, {}, 1);
+}
+
+void GpuShadows::update_maps(const World& world, const Settings& settings,
+    const SceneBuffers& scene, const SampleFrame& frame, std::span<LightBounds> bounds,
+    std::int64_t max_storage_bytes, Tasks& tasks)
+{
+    plan_maps(world, settings, bounds, maps_, tasks);
+    texels_.lay_out(maps_.light, max_storage_bytes);
+    depth_pass_.draw_changed(world, scene, texels_, maps_);
+    updates_ += maps_.changed.size();
+    maps_.complete = true;
+    upload_tables(world, frame, maps_.light, settings.shadow_filter);
+}
+
+void GpuShadows::use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
+    std::int64_t max_storage_bytes)
+{
+    maps_.complete = false; // what was drawn is lost
+    texels_.lay_out(maps.light, max_storage_bytes);
+    texels_.upload(maps.light);
+    upload_tables(world, frame, maps.light, maps.filter);
+}
+
+} // namespace firsthit::gl

@@ -1,0 +1,58 @@
+// gpu_shadows.h - the shadow maps of the gpu engine, kept from frame to frame.
+#pragma once
+
+#include "base/tasks.h"
+#include "gl/shadow/depth_pass.h"
+#include "gl/scene/light_tables.h"
+#include "gl/shadow/map_texels.h"
+#include "gl/scene/scene_buffers.h"
+
+#include <firsthit/render.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace firsthit::gl {
+
+/// Lights and maps where shaders read them. A part of a picture goes through
+///
+///     set_lights(...)      the lights, which the bounds of hits are found by
+///     update_maps(...)     or use_maps(...)
+class GpuShadows {
+  public:
+    /// Uploads the lights, and binds them and their maps; no map is looked at before the next call.
+    void set_lights(const World& world, const SampleFrame& frame);
+
+    /// Draws the maps that are not what lights, triangles, hits and settings ask for.
+    /// bounds  (lights) of the visible hits
+    /// throws  DeviceError: no memory, or a map beyond the driver's limits
+    void update_maps(const World& world, const Settings& settings, const SceneBuffers& scene,
+        const SampleFrame& frame, std::span<LightBounds> bounds, std::int64_t max_storage_bytes,
+        Tasks& tasks);
+
+    /// Uploads maps that the cpu engine made.
+    void use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
+        std::int64_t max_storage_bytes);
+
+    /// Drawn so far.
+    std::uint64_t updates() const { return updates_; }
+
+    /// Of the world's lights, without depths: these stay on OpenGL.
+    std::span<const ShadowLight> maps() const { return maps_.light; }
+    const MapTexels& texels() const { return texels_; }
+
+  private:
+    void upload_tables(const World& world, const SampleFrame& frame,
+        std::span<const ShadowLight> maps, int filter);
+
+    ShadowMaps maps_; // sources and matrices
+    MapTexels texels_;
+    DepthPass depth_pass_;
+    std::vector<LightData> light_data_;
+    std::vector<MapData> map_data_;
+    gl::Buffer lights_, map_table_;
+    std::uint64_t updates_ = 0;
+};
+
+} // namespace firsthit::gl

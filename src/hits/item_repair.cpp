@@ -1,0 +1,234 @@
+// item_repair.cpp - repairs a tile of an item picture that is only nearly right.
+//
+// Triangles are tested against all samples of a block that want them, as in resolve_tile.cpp; what
+// is repaired lazily is rare, and goes sample by sample.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hits/item_repair.cpp"
+#include "base/simd.h"
+
+#include "hits/block_surroundings-inl.h"
+#include "hits/item_repair.h"
+#include "hits/picture_window.h"
+#include "hits/ray_tests-inl.h"
+
+#include <firsthit/scene.h>
+
+#include <algorithm>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+struct Repair {
+    const ViewMemory& view;
+    const PictureWindow& window;
+    ItemTile& out;
+    std::span<std::uint64_t> holes;
+    TileRays rays;
+    RayTests tests;
+    /// Full: samples that have an item so far, a word for each block.
+    std::uint64_t found[(kMaxTile / kBlock) * (kMaxTile / kBlock)];
+
+    Repair(const ViewMemory& memory, const PictureWindow& picture, ItemTile& tile,
+        std::span<std::uint64_t> missed)
+        : view(memory),
+          window(picture),
+          out(tile),
+          holes(missed),
+          rays(tile)
+    {
+    }
+
+    std::uint32_t triangles() const { return std::uint32_t(view.index.size()); }
+    Effort& effort() { return out.counts.effort; }
+
+    Corners corners(std::uint32_t triangle) const
+    {
+        const glm::uvec3& c = view.index[triangle];
+        return {
+            glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
+    }
+
+    /// Whether a comes before b on the ray along d, which hits both.
+    bool is_nearer(std::uint32_t a, std::uint32_t b, const glm::vec3& d)
+    {
+        const int order = compare_depth(corners(a), corners(b), d, effort());
+        return order < 0 || (order == 0 && a < b);
+    }
+
+    template <class Use>
+    void run_tests(const Use& use)
+    {
+        set_up_tests(view, rays, tests);
+        for (int i = 0; i < tests.count; ++i)
+            use(tests.test[i], hit_samples(tests, i, rays, effort()));
+        tests.count = 0;
+    }
+
+    template <class Use>
+    void add_test(const RayTest& test, const Use& use)
+    {
+        tests.test[tests.count] = test;
+        if (++tests.count == kRayTests) run_tests(use);
+    }
+
+    /// Every sample against its own item; holes are what misses.
+    void test_own()
+    {
+        const auto use = [&](const RayTest& test, std::uint64_t hits) {
+            holes[test.block] |= test.samples & ~hits;
+        };
+        for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block) {
+            const std::uint32_t* item = out.item.data() + block * kBlockSamples;
+            std::uint64_t rest = ~samples_with(item, kNoItem);
+            while (rest) {
+                const std::uint32_t id = item[std::countr_zero(rest)];
+                const std::uint64_t samples = samples_with(item, id);
+                rest &= ~samples;
+                if (id < triangles())
+                    add_test({id, block, samples}, use);
+                else
+                    holes[block] |= samples;
+            }
+        }
+        run_tests(use);
+    }
+
+    /// Nearest hit of the sample's neighbours, or kNoItem.
+    std::uint32_t nearest_neighbour(std::uint32_t block, int sample, int reach)
+    {
+        const glm::vec3 d = rays.direction(block, sample);
+        const int x = int(block) % out.blocks_x() * kBlock + block_x(sample);
+        const int y = int(block) / out.blocks_x() * kBlock + block_y(sample);
+        std::uint32_t tested[25] = {window.at(x, y)}; // it has missed
+        int count = 1;
+        std::uint32_t best = kNoItem;
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                const std::uint32_t id = window.at(x + dx, y + dy);
+                if (id >= triangles() || std::find(tested, tested + count, id) != tested + count)
+                    continue;
+                tested[count++] = id;
+                if (!is_hit(corners(id), d, effort())) continue;
+                if (best == kNoItem || is_nearer(id, best, d)) best = id;
+            }
+        }
+        return best;
+    }
+
+    /// What is still missed becomes its neighbours', or no item.
+    void repair_holes(int reach)
+    {
+        for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block) {
+            for (std::uint64_t rest = holes[block]; rest; rest &= rest - 1) {
+                const int sample = std::countr_zero(rest);
+                const std::uint32_t item =
+                    reach ? nearest_neighbour(block, sample, reach) : kNoItem;
+                out.item[block * kBlockSamples + std::uint32_t(sample)] = item;
+                if (item != kNoItem) holes[block] &= ~(std::uint64_t(1) << sample);
+            }
+        }
+    }
+
+    /// A triangle's hits join what is found so far.
+    void keep_nearest(const RayTest& test, std::uint64_t hits)
+    {
+        std::uint32_t* item = out.item.data() + test.block * kBlockSamples;
+        std::uint64_t rivals = hits & found[test.block];
+        found[test.block] |= hits;
+        for (std::uint64_t rest = hits & ~rivals; rest; rest &= rest - 1)
+            item[std::countr_zero(rest)] = test.triangle;
+        for (; rivals; rivals &= rivals - 1) {
+            const int sample = std::countr_zero(rivals);
+            if (is_nearer(test.triangle, item[sample], rays.direction(test.block, sample)))
+                item[sample] = test.triangle;
+        }
+    }
+
+    /// Every sample against all items of its neighbourhood.
+    void test_neighbourhoods(int reach)
+    {
+        const auto use = [&](const RayTest& test, std::uint64_t hits) { keep_nearest(test, hits); };
+        for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block) {
+            std::uint32_t* item = out.item.data() + block * kBlockSamples;
+            found[block] = 0;
+            holes[block] = ~samples_with(item, kNoItem); // whose item is a triangle
+            const int x = int(block) % out.blocks_x() * kBlock;
+            const int y = int(block) / out.blocks_x() * kBlock;
+            const std::uint64_t inside = window.block_inside(x, y);
+            std::fill_n(item, kBlockSamples, kNoItem);
+            BlockSurroundings around(window, x, y, reach);
+            around.for_each_id([&](std::uint32_t id, std::uint64_t samples) {
+                if (id < triangles() && (samples & inside))
+                    add_test({id, block, samples & inside}, use);
+            });
+        }
+        run_tests(use);
+        for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block)
+            holes[block] &= ~found[block];
+    }
+
+    /// Ids that are no triangles are holes.
+    void check_ids()
+    {
+        const hn::CappedTag<std::uint32_t, 16> d;
+        const auto end = hn::Set(d, triangles()), none = hn::Set(d, kNoItem);
+        for (std::size_t block = 0; block < std::size_t(out.blocks()); ++block) {
+            for (std::size_t k = 0; k < kBlockSamples; k += hn::Lanes(d)) {
+                std::uint32_t* item = out.item.data() + block * kBlockSamples + k;
+                const auto id = hn::Load(d, item);
+                const auto wrong = hn::Not(hn::Or(hn::Lt(id, end), hn::Eq(id, none)));
+                holes[block] |= bits_of(d, wrong) << k;
+                hn::Store(hn::IfThenElse(wrong, none, id), d, item);
+            }
+        }
+    }
+};
+
+void repair(const ViewMemory& view, const PictureWindow& window, Multisample mode, ItemTile& out,
+    std::span<std::uint64_t> holes)
+{
+    Repair work(view, window, out, holes);
+    window.copy(out);
+    switch (mode) {
+    case Multisample::none:
+    case Multisample::lazy3:
+    case Multisample::lazy5:
+        work.test_own();
+        work.repair_holes(reach_of(mode));
+        break;
+    case Multisample::full3:
+    case Multisample::full5:
+        work.test_neighbourhoods(reach_of(mode));
+        break;
+    case Multisample::exact:
+        work.check_ids();
+        break;
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(repair);
+
+void repair_tile_items(const ViewMemory& view, std::span<const std::uint32_t> picture, int tile,
+    Multisample mode, ItemTile& out, std::span<std::uint64_t> holes)
+{
+    const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
+    out.x0 = float(view.pencil.x0 + x);
+    out.y0 = float(view.pencil.y0 + y);
+    out.counts = {};
+    const PictureWindow window(picture, view.pencil.width, view.pencil.height, x, y);
+    HWY_DYNAMIC_DISPATCH(repair)(view, window, mode, out, holes);
+}
+
+} // namespace firsthit
+#endif

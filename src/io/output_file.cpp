@@ -1,0 +1,156 @@
+// output_file.cpp - a file that appears whole or not at all.
+#include "io/output_file.h"
+
+#include <firsthit/error.h>
+#include <firsthit/file.h>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+namespace firsthit {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string folder_of(const std::string& path)
+{
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+std::string reason(const std::string& target, int error)
+{
+    if (error == ENOENT) return fmt::format("the folder '{}' does not exist", folder_of(target));
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void throw_cannot_write(const std::string& path, const std::string& target, int error)
+{
+    throw FileError(fmt::format("{}: cannot write: {}", path, reason(target, error)));
+}
+
+/// Where a write to `path` ends: the file behind a chain of links.
+std::string resolve_links(const std::string& path)
+{
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return path;
+    const fs::path real = fs::canonical(path, error);
+    return error ? path : real.string();
+}
+
+/// A name that no other process or thread uses. It does not grow with the target's name, which may
+/// be as long as names can be.
+std::string temporary_name(const std::string& target)
+{
+    static std::atomic<unsigned> counter{0};
+    const std::string name = fmt::format(".firsthit-{}-{}.tmp", getpid(), counter++);
+    return (fs::path(target).parent_path() / name).string();
+}
+
+} // namespace
+
+bool is_device(const std::string& path)
+{
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void check_output_path(const std::string& path)
+{
+    if (path.empty()) throw FileError("cannot write to a file without a name");
+    const std::string target = resolve_links(path);
+    std::error_code ignored;
+    if (fs::is_directory(target, ignored)) throw_cannot_write(path, target, EISDIR);
+    const bool exists = fs::exists(target, ignored);
+    if (exists && access(target.c_str(), W_OK) != 0) throw_cannot_write(path, target, errno);
+    if (exists && is_device(target)) return;
+    const std::string folder = folder_of(target);
+    if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+        throw_cannot_write(path, target, ENOTDIR);
+    if (access(folder.c_str(), W_OK | X_OK) != 0) throw_cannot_write(path, target, errno);
+}
+
+void write_file(const std::string& path, std::string_view bytes)
+{
+    OutputFile file(path);
+    file.write(bytes.data(), bytes.size());
+    file.commit();
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path))
+{
+    check_output_path(path);
+    int descriptor = -1;
+    if (is_device(target_)) {
+        descriptor = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        temporary_ = temporary_name(target_);
+        descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0) temporary_.clear();
+    }
+    if (descriptor < 0) fail(errno);
+    file_ = fdopen(descriptor, "wb");
+    if (!file_) {
+        const int error = errno;
+        close(descriptor);
+        fail(error);
+    }
+}
+
+OutputFile::~OutputFile()
+{
+    discard();
+}
+
+void OutputFile::write(const void* data, std::size_t bytes)
+{
+    if (error_ || std::fwrite(data, 1, bytes, file_) != bytes) fail(errno);
+}
+
+void OutputFile::seek(std::uint64_t offset)
+{
+    if (error_ || fseeko(file_, static_cast<off_t>(offset), SEEK_SET) != 0) fail(errno);
+}
+
+std::uint64_t OutputFile::tell()
+{
+    const off_t offset = error_ ? -1 : ftello(file_);
+    if (offset < 0) fail(errno);
+    return static_cast<std::uint64_t>(offset);
+}
+
+void OutputFile::commit()
+{
+    if (error_ || std::fflush(file_) != 0) fail(errno);
+    std::FILE* file = file_;
+    file_ = nullptr;
+    if (std::fclose(file) != 0) fail(errno);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+}
+
+void OutputFile::fail(int error)
+{
+    if (!error_) error_ = error ? error : EIO;
+    discard();
+    throw_cannot_write(path_, target_, error_);
+}
+
+void OutputFile::discard()
+{
+    if (file_) std::fclose(file_);
+    file_ = nullptr;
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+    temporary_.clear();
+}
+
+} // namespace firsthit

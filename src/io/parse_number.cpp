@@ -1,0 +1,63 @@
+// parse_number.cpp - numbers from words, the same in every locale.
+#include "io/parse_number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <system_error>
+
+namespace firsthit {
+namespace {
+
+/// from_chars knows no leading plus.
+std::string_view without_plus(std::string_view word)
+{
+    const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
+    return plus ? word.substr(1) : word;
+}
+
+template <class Number>
+std::errc read(std::string_view word, Number& value)
+{
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    return stop == end ? error : std::errc::invalid_argument;
+}
+
+/// Whether a number that no double holds is too small for one, not too large: from the place of its
+/// first digit that counts, before or after the point, and its exponent.
+bool is_tiny(std::string_view number)
+{
+    const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, e);
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    const auto place =
+        static_cast<double>(point) - static_cast<double>(digits.find_first_of("123456789"));
+    if (e == number.size()) return place < 0;
+    const std::string_view exponent = without_plus(number.substr(e + 1));
+    std::int64_t value = 0;
+    if (read(exponent, value) != std::errc()) return exponent[0] == '-'; // beyond 64 bits
+    return place + static_cast<double>(value) < 0;
+}
+
+} // namespace
+
+std::optional<double> parse_number(std::string_view word)
+{
+    word = without_plus(word);
+    double value = 0;
+    const std::errc error = read(word, value);
+    if (error == std::errc::invalid_argument) return {};
+    if (error == std::errc::result_out_of_range)
+        return is_tiny(word) ? 0.0 : std::numeric_limits<double>::infinity();
+    return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word)
+{
+    std::int64_t value = 0;
+    if (read(without_plus(word), value) != std::errc()) return {};
+    return value;
+}
+
+} // namespace firsthit

@@ -1,0 +1,150 @@
+// cell_kernel.cpp - a few thousand samples of the irregular z-buffer against the triangles of
+// their cell.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "irregular/cells/cell_kernel.cpp"
+#include "base/simd.h"
+
+#include "irregular/cells/cell_kernel.h"
+#include "irregular/cells/cell_raster-inl.h"
+#include "irregular/mesh/projected_triangles-inl.h"
+
+#include <algorithm>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// The box as offsets from (x, y).
+HWY_INLINE ProjectedTriangle moved(const ProjectedTriangle& seen, float x, float y)
+{
+    return {seen.triangle, seen.x0 - x, seen.y0 - y, seen.x1 - x, seen.y1 - y, seen.nearest_w};
+}
+
+/// The slots of sixteen triangles, a row for each side of the box and the depth.
+struct SlotRegister {
+    alignas(64) std::int32_t slot[5][kGroup];
+};
+
+/// Fills in the slots of up to sixteen triangles. Returns those that may shadow a sample inside the
+/// bounds, a bit each.
+HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles,
+    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& seen)
+{
+    const Group d;
+    const hn::RebindToSigned<Group> w;
+    const int lanes = int(hn::Lanes(d));
+    const auto slot_of = [&](auto v, const Slots& axis) { // as Slots::of
+        const auto at = hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale));
+        const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
+        return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(kSlots - 1))));
+    };
+    std::uint32_t chosen = 0;
+    for (int k = 0; k < kGroup; k += lanes) {
+        const ProjectedTriangles box = load_seen(triangles, std::size_t(k));
+        chosen |= std::uint32_t(bits(d, may_shadow(box, bounds))) << k;
+        const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
+        hn::Store(slot_of(hn::Sub(box.x0, x), slots.x), w, seen.slot[0] + k);
+        hn::Store(slot_of(hn::Sub(box.y0, y), slots.y), w, seen.slot[1] + k);
+        hn::Store(slot_of(hn::Sub(box.x1, x), slots.x), w, seen.slot[2] + k);
+        hn::Store(slot_of(hn::Sub(box.y1, y), slots.y), w, seen.slot[3] + k);
+        hn::Store(slot_of(box.nearest_w, slots.w), w, seen.slot[4] + k);
+    }
+    if (triangles.size() < kGroup) chosen &= (1u << triangles.size()) - 1;
+    return chosen;
+}
+
+/// The groups that are not shadowed and that the triangle may shadow.
+HWY_INLINE bool meets_groups(const CellKernelMemory& leaf, const ProjectedSlots& reach)
+{
+    std::uint64_t any = 0;
+    for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
+    return any != 0;
+}
+
+HWY_INLINE void add_to_batch(const CellTest& cell, std::uint32_t triangle,
+    const ProjectedSlots& reach, CellKernelMemory& leaf)
+{
+    CellBatch& batch = leaf.batch;
+    batch.triangle[batch.count] = triangle;
+    batch.slots[batch.count] = reach;
+    if (++batch.count == kCellBatch) test_batch(cell, leaf);
+}
+
+void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory& leaf)
+{
+    // Boxes as offsets from the middle, like the samples.
+    const float xm = leaf.middle_x, ym = leaf.middle_y;
+    const SampleBounds& b = leaf.bounds;
+    const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
+    fill_groups(cell.samples, slots, leaf);
+
+    for (const ProjectedTriangle& seen : work.first)
+        if (may_shadow(seen, b))
+            add_to_batch(cell, seen.triangle, {moved(seen, xm, ym), slots}, leaf);
+    test_batch(cell, leaf);
+    std::uint64_t open = 0;
+    for (const OverlapTable& table : leaf.table.span()) open |= table.open;
+    if (!open) return;
+
+    SlotRegister seen;
+    for (std::size_t first = 0; first < work.triangles.size(); first += kGroup) {
+        const auto some = work.triangles.subspan(
+            first, std::min<std::size_t>(kGroup, work.triangles.size() - first));
+        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, seen); rest;
+             rest &= rest - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(rest));
+            ProjectedSlots reach;
+            for (int side = 0; side < 5; ++side)
+                reach.slot[side] = std::uint8_t(seen.slot[side][k]);
+            if (meets_groups(leaf, reach)) add_to_batch(cell, some[k].triangle, reach, leaf);
+        }
+    }
+    test_batch(cell, leaf);
+}
+
+void test_samples(const PencilMesh& mesh, const CellWork& work, const LightPoints& points,
+    CellKernelMemory& leaf, std::uint8_t* shadowed)
+{
+    const std::span<const IrregularSample> samples = work.samples;
+    frame_cell(mesh, work.bounds, leaf);
+    test_triangles({mesh, samples, points, cell_edge_error(leaf)}, work, leaf);
+    for (std::size_t group = 0; group < leaf.shadowed.size(); ++group) {
+        const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
+        for (std::uint32_t rest = leaf.shadowed[group] & ((1u << count) - 1); rest;
+             rest &= rest - 1)
+            shadowed[samples[first + std::size_t(std::countr_zero(rest))].id] = 1;
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firsthit {
+
+HWY_EXPORT(test_samples);
+
+void reserve(CellKernelMemory& memory, std::size_t samples)
+{
+    const std::size_t padded = std::bit_ceil(most_groups(samples) * kGroup); // seldom more
+    for (auto* values : {&memory.x, &memory.y, &memory.w}) values->resize(padded);
+    memory.item.resize(padded);
+    memory.has_item.resize(padded / kGroup);
+    memory.shadowed.resize(padded / kGroup);
+    memory.first.resize(padded / kGroup + 1);
+    memory.table.resize(padded / kGroup / kTableBoxes + 1);
+    memory.box.resize(memory.table.size() * kTableBoxes);
+}
+
+void test_cell(const PencilMesh& mesh, const CellWork& work, const LightPoints& points,
+    CellKernelMemory& memory, std::span<std::uint8_t> shadowed)
+{
+    HWY_DYNAMIC_DISPATCH(test_samples)(mesh, work, points, memory, shadowed.data());
+}
+
+} // namespace firsthit
+#endif

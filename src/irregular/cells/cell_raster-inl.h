@@ -1,0 +1,172 @@
+// cell_raster-inl.h - triangles that are set up, over the groups of a cell.
+#if defined(FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
+#undef FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
+#else
+#define FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
+#endif
+
+#include "irregular/mesh/gather_corners.h"
+#include "irregular/cells/cell_samples-inl.h"
+#include "irregular/cells/set_up-inl.h"
+#include "visibility/raster/sample_registers-inl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+/// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
+HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
+    std::span<const IrregularSample> samples, const LightPoints& points, std::uint32_t triangle,
+    std::size_t group, std::uint32_t open, CellKernelMemory& leaf)
+{
+    const Corners corners = mesh.corners(triangle);
+    std::uint32_t shadowed = 0;
+    for (; open; open &= open - 1) {
+        const std::size_t k = leaf.first[group] + std::size_t(std::countr_zero(open));
+        if (k >= leaf.first[group + 1]) break;
+        ++leaf.counts.uncertain;
+        const glm::vec3 d = points.in_light_space(samples[k].id);
+        if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
+    }
+    return shadowed;
+}
+
+/// A cell, as the tests of its triangles see it.
+struct CellTest {
+    const PencilMesh& mesh;
+    std::span<const IrregularSample> samples;
+    const LightPoints& points;
+    float edge_error;
+};
+
+/// The items of a group's samples, fetched when first asked for: most groups never are.
+HWY_INLINE const std::uint32_t* items_of(
+    const CellTest& cell, std::size_t group, CellKernelMemory& leaf)
+{
+    std::uint32_t* items = leaf.item.data() + group * kGroup;
+    if (leaf.has_item[group]) return items;
+    leaf.has_item[group] = 1;
+    const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
+    for (std::size_t k = 0; k < kGroup; ++k)
+        items[k] = cell.points.item && k < count ? cell.points.item[cell.samples[first + k].id]
+                                                 : 0xFFFFFFFFu;
+    return items;
+}
+
+/// Triangle i of the batch against the given groups of a chunk.
+HWY_INLINE void test_groups(
+    const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, CellKernelMemory& leaf)
+{
+    const Group d;
+    const hn::RebindToUnsigned<Group> du;
+    constexpr int lanes = int(hn::MaxLanes(Group()));
+    const CellBatch& batch = leaf.batch;
+    const auto gx0 = hn::Set(d, batch.gx[0][i]), gy0 = hn::Set(d, batch.gy[0][i]),
+               c0 = hn::Set(d, batch.c[0][i]), gx1 = hn::Set(d, batch.gx[1][i]),
+               gy1 = hn::Set(d, batch.gy[1][i]), c1 = hn::Set(d, batch.c[1][i]),
+               gx2 = hn::Set(d, batch.gx[2][i]), gy2 = hn::Set(d, batch.gy[2][i]),
+               c2 = hn::Set(d, batch.c[2][i]);
+    const auto wx = hn::Set(d, batch.wx[i]), wy = hn::Set(d, batch.wy[i]),
+               wc = hn::Set(d, batch.wc[i]);
+    const auto shadowed_from = hn::Set(d, batch.shadowed_from[i]),
+               lit_below = hn::Set(d, batch.lit_below[i]);
+    const auto inside_from = hn::Set(d, cell.edge_error), maybe_from = hn::Set(d, -cell.edge_error);
+    const auto triangle = hn::Set(du, batch.triangle[i]);
+    OverlapTable& table = leaf.table[chunk];
+
+    leaf.counts.pairs += std::uint64_t(std::popcount(groups)) * kGroup;
+    for (; groups; groups &= groups - 1) {
+        const std::size_t group = chunk * kTableBoxes + std::size_t(std::countr_zero(groups));
+        std::uint32_t shadowed = leaf.shadowed[group];
+        const std::uint32_t before = shadowed;
+        for (int part = 0; part < kGroup; part += lanes) {
+            const std::size_t k = group * kGroup + std::size_t(part);
+            const auto x = hn::Load(d, leaf.x.data() + k), y = hn::Load(d, leaf.y.data() + k);
+            const auto e0 = hn::MulAdd(gx0, x, hn::MulAdd(gy0, y, c0));
+            const auto e1 = hn::MulAdd(gx1, x, hn::MulAdd(gy1, y, c1));
+            const auto e2 = hn::MulAdd(gx2, x, hn::MulAdd(gy2, y, c2));
+            const auto least = hn::Min(e0, hn::Min(e1, e2));
+            const auto ahead =
+                hn::Sub(hn::MulAdd(wx, x, hn::MulAdd(wy, y, wc)), hn::Load(d, leaf.w.data() + k));
+            // Also where `ahead` is no number.
+            const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
+            if (hn::AllFalse(d, maybe)) continue;
+            const auto other = hn::RebindMask(
+                d, hn::Ne(hn::Load(du, items_of(cell, group, leaf) + part), triangle));
+            const auto certain =
+                hn::And(hn::And(hn::Gt(least, inside_from), hn::Gt(ahead, shadowed_from)), other);
+            const std::uint32_t hit = std::uint32_t(bits(d, certain)) << part;
+            const std::uint32_t open =
+                std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
+            shadowed |= hit;
+            if (open) [[unlikely]]
+                shadowed |= decide_group_exactly(
+                    cell.mesh, cell.samples, cell.points, batch.triangle[i], group, open, leaf);
+        }
+        if (shadowed == before) continue;
+        leaf.shadowed[group] = std::uint16_t(shadowed);
+        if (shadowed == 0xFFFF) table.open &= ~(groups & (~groups + 1));
+    }
+}
+
+/// The groups of a chunk that no edge of triangle i leaves out: for a triangle whose box holds many
+/// groups, as a needle's across the cell.
+HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t chunk,
+    std::uint64_t groups, const CellKernelMemory& leaf)
+{
+    const Group d;
+    const CellBatch& batch = leaf.batch;
+    const auto outside_below = hn::Set(d, -2 * cell.edge_error);
+    const auto half = hn::Set(d, 0.5f), room = hn::Set(d, 1 + 0x1p-20f);
+    std::uint64_t inside = 0;
+    for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
+        const std::size_t at = chunk * kTableBoxes + k;
+        auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
+        hn::LoadInterleaved4(d, leaf.box[at].side, x0, minus_x1, y0, minus_y1);
+        // Middles, and how far the samples lie from there at most.
+        const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),
+                   y = hn::Mul(half, hn::Sub(y0, minus_y1));
+        const auto rx = hn::Mul(room, hn::Max(hn::Sub(hn::Neg(minus_x1), x), hn::Sub(x, x0)));
+        const auto ry = hn::Mul(room, hn::Max(hn::Sub(hn::Neg(minus_y1), y), hn::Sub(y, y0)));
+        auto most = hn::Set(d, 1.0f);
+        for (int e = 0; e < 3; ++e) {
+            const auto gx = hn::Set(d, batch.gx[e][i]), gy = hn::Set(d, batch.gy[e][i]);
+            const auto middle = hn::MulAdd(gx, x, hn::MulAdd(gy, y, hn::Set(d, batch.c[e][i])));
+            const auto reach = hn::MulAdd(hn::Abs(gx), rx, hn::Mul(hn::Abs(gy), ry));
+            most = hn::Min(most, hn::Add(middle, reach));
+        }
+        inside |= bits(d, hn::Not(hn::Lt(most, outside_below))) << k;
+    }
+    return groups & inside;
+}
+
+inline void test_batch(const CellTest& cell, CellKernelMemory& leaf)
+{
+    constexpr int kManyGroups = 12;
+    const hn::CappedTag<double, 8> d;
+    CellBatch& batch = leaf.batch;
+    gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
+    for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
+        set_up_cell_lanes(d, cell.mesh.space.directional, leaf, i);
+    for (int i = 0; i < batch.count; ++i) {
+        for (std::size_t chunk = 0; chunk < leaf.table.size(); ++chunk) {
+            std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]);
+            if (std::popcount(groups) >= kManyGroups)
+                groups = groups_inside(cell, i, chunk, groups, leaf);
+            if (groups) test_groups(cell, i, chunk, groups, leaf);
+        }
+    }
+    leaf.counts.triangles += std::uint64_t(batch.count);
+    batch.count = 0;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,110 @@
+// overlap_table.h - which of up to 64 boxes does a box overlap? Five lookups instead of 64 tests.
+#pragma once
+
+#include "irregular/mesh/pencil_mesh.h"
+#include "irregular/mesh/samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace firsthit {
+
+inline constexpr int kSlots = 32;      // into which each axis is cut
+inline constexpr int kTableBoxes = 64; // a bit each
+
+/// From a coordinate to a slot; never falls as the coordinate grows.
+struct Slots {
+    float start = 0, scale = 0;
+
+    Slots(float low, float high) : start(low)
+    {
+        const float slots = float(kSlots) / (high - low);
+        if (std::isfinite(slots) && std::isfinite(low)) scale = slots;
+    }
+    int of(float v) const
+    {
+        const float slot = (v - start) * scale;
+        return slot > 0 ? int(std::min(slot, float(kSlots - 1))) : 0; // 0 where it is no number
+    }
+};
+
+/// How boxes and depths inside some bounds become slots.
+struct BoxSlots {
+    Slots x, y, w;
+
+    explicit BoxSlots(const SampleBounds& all)
+        : x(all.x0, all.x1),
+          y(all.y0, all.y1),
+          w(all.farthest_w, all.nearest_w)
+    {
+    }
+};
+
+/// A triangle's slots: x0, y0, x1, y1, nearest w.
+struct ProjectedSlots {
+    std::uint8_t slot[5];
+
+    ProjectedSlots() = default;
+    ProjectedSlots(const ProjectedTriangle& seen, const BoxSlots& slots)
+        : slot{std::uint8_t(slots.x.of(seen.x0)), std::uint8_t(slots.y.of(seen.y0)),
+              std::uint8_t(slots.x.of(seen.x1)), std::uint8_t(slots.y.of(seen.y1)),
+              std::uint8_t(slots.w.of(seen.nearest_w))}
+    {
+    }
+};
+
+/// The boxes that reach each slot, a bit each.
+class OverlapTable {
+  public:
+    void add(int number, const SampleBounds& box, const BoxSlots& slots)
+    {
+        const int at[5] = {slots.x.of(box.x0), slots.x.of(box.x1), slots.y.of(box.y0),
+            slots.y.of(box.y1), slots.w.of(box.farthest_w)};
+        add(number, at);
+    }
+
+    /// slot  of x0, x1, y0, y1 and the farthest w
+    void add(int number, const int (&slot)[5])
+    {
+        const std::uint64_t bit = std::uint64_t(1) << number;
+        from_x_[slot[0]] |= bit;
+        to_x_[slot[1]] |= bit;
+        from_y_[slot[2]] |= bit;
+        to_y_[slot[3]] |= bit;
+        behind_[slot[4]] |= bit;
+        open |= bit;
+    }
+
+    /// After the last add.
+    void finish()
+    {
+        for (int k = 1; k < kSlots; ++k) {
+            from_x_[k] |= from_x_[k - 1];
+            from_y_[k] |= from_y_[k - 1];
+            behind_[k] |= behind_[k - 1];
+        }
+        for (int k = kSlots - 2; k >= 0; --k) {
+            to_x_[k] |= to_x_[k + 1];
+            to_y_[k] |= to_y_[k + 1];
+        }
+    }
+
+    /// The open boxes that a triangle may overlap without being behind them. None is missed.
+    std::uint64_t of(const ProjectedSlots& s) const
+    {
+        return from_x_[s.slot[2]] & to_x_[s.slot[0]] & from_y_[s.slot[3]] & to_y_[s.slot[1]] &
+               behind_[s.slot[4]] & open;
+    }
+
+    std::uint64_t open = 0; // boxes that are still asked for
+
+  private:
+    std::uint64_t from_x_[kSlots] = {}; // whose first slot is at most this
+    std::uint64_t to_x_[kSlots] = {};   // whose last slot is at least this
+    std::uint64_t from_y_[kSlots] = {};
+    std::uint64_t to_y_[kSlots] = {};
+    std::uint64_t behind_[kSlots] = {}; // whose farthest sample is at this depth or farther
+};
+
+} // namespace firsthit

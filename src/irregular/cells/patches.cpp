@@ -1,0 +1,50 @@
+// patches.cpp - samples that already lie together as the light sees them.
+#include "irregular/cells/patches.h"
+
+#include <bit>
+
+namespace firsthit {
+
+bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t triangles)
+{
+    const auto area = [](const SampleBounds& b) {
+        return (double(b.x1) - double(b.x0)) * (double(b.y1) - double(b.y0));
+    };
+    const double whole = area(all);
+    const double share = whole > 0 ? area(patch.bounds) / whole : 0;
+    const double count = double(patch.range.count);
+    // Measured: a patch pays where it meets few triangles for its samples.
+    return share * double(triangles) <= count / 16;
+}
+
+bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
+    const SampleBounds& all, PatchMemory& memory, Tasks& tasks)
+{
+    const std::size_t count = memory.patches.size();
+    const BoxSlots slots(all);
+    memory.tables.resize((count + kTableBoxes - 1) / kTableBoxes);
+    for (std::size_t k = 0; k < memory.tables.size(); ++k) {
+        OverlapTable& table = memory.tables[k];
+        table = {};
+        const std::size_t first = k * kTableBoxes,
+                          last = std::min<std::size_t>(count, first + kTableBoxes);
+        for (std::size_t patch = first; patch < last; ++patch)
+            table.add(int(patch - first), memory.patches[patch].bounds, slots);
+        table.finish();
+    }
+    const auto for_patches = [&](std::size_t k, const auto& f) {
+        const ProjectedTriangle& seen = from[k];
+        const ProjectedSlots reach(seen, slots);
+        for (std::size_t table = 0; table < memory.tables.size(); ++table) {
+            std::uint64_t rest = memory.tables[table].of(reach);
+            for (; rest; rest &= rest - 1) {
+                const std::size_t patch = table * kTableBoxes + std::size_t(std::countr_zero(rest));
+                if (may_shadow(seen, memory.patches[patch].bounds)) f(patch);
+            }
+        }
+    };
+    return bin_triangles(from, count == 0 ? std::span<const SampleRange>() : ranges, count,
+        for_patches, memory.seen, tasks);
+}
+
+} // namespace firsthit

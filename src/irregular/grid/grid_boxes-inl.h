@@ -1,0 +1,243 @@
+// grid_boxes-inl.h - triangles onto a grid of samples, several at a time: their boxes and edges in
+// places.
+#if defined(FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_
+#undef FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_
+#else
+#define FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "irregular/grid/grid_runs.h"
+#include "irregular/mesh/pencil_mesh.h"
+#include "irregular/grid/quantized_words-inl.h"
+#include "irregular/grid/sample_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+inline constexpr std::uint64_t kUpperHalf = 0xFFFFFFFF00000000;
+
+/// Batches that are not asked for something: twice as many each time that it is in vain.
+struct Backoff {
+    static constexpr std::uint32_t kLongest = 15;
+    std::uint32_t left = 0, next = 0;
+
+    /// Whether to ask this batch.
+    bool is_over()
+    {
+        if (left == 0) return true;
+        --left;
+        return false;
+    }
+    void after(bool worthwhile)
+    {
+        next = worthwhile ? 0 : std::min(2 * next + 1, kLongest);
+        left = next;
+    }
+};
+
+/// Some triangles, and what is known of them. Words are as QuantizedPoint.
+struct GridBoxes {
+    static constexpr std::size_t kTriangles = 256;
+    static constexpr std::size_t kRoom = kTriangles + 16;
+
+    std::size_t first = 0; // number of the first one
+    alignas(64) std::uint64_t corner[3][kRoom];
+    // The box; the lowest w is 0. Low is greater than high where the triangle is not to be asked.
+    alignas(64) std::uint64_t low[kRoom];
+    alignas(64) std::uint64_t high[kRoom];
+
+    /// Edge e of a sample: the sum of x and y of (sample - corner 0) times these, and `beyond`; not
+    /// below 0 where the sample may be inside. Upper halves, lower ones are 0.
+    alignas(64) std::uint64_t normal[3][kRoom];
+    alignas(64) std::uint64_t beyond[kRoom];          // of the edges at corner 0
+    alignas(64) std::uint64_t beyond_opposite[kRoom]; // of the one opposite
+
+    Backoff pause; // of asking for what is behind all samples
+
+    // Which of them
+    std::size_t inside_count = 0, unseen_count = 0;
+    std::uint32_t inside[kRoom]; // may shadow samples: first all that reach into the samples' box
+    StripRange strips[kRoom];    // of those in `inside`
+    std::uint32_t unseen[kRoom]; // have a corner that is not seen
+};
+
+/// Appends the numbers from `first` on of the chosen lanes. What is written after them is nothing.
+HWY_INLINE void append(
+    std::size_t first, hn::Mask<Words> chosen, std::uint32_t* to, std::size_t& count)
+{
+    const hn::Rebind<std::uint32_t, Words> d;
+    const std::uint8_t byte[8] = {std::uint8_t(bits_of_words(chosen))};
+    const auto lanes = hn::LoadMaskBits(d, byte);
+    const auto numbers = hn::Add(hn::Iota(d, 0), hn::Set(d, std::uint32_t(first)));
+    hn::StoreU(hn::Compress(numbers, lanes), d, to + count);
+    count += hn::CountTrue(Words(), chosen);
+}
+
+/// The corners of triangles [first, last), in turn.
+HWY_INLINE void gather_places(
+    const PencilMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
+{
+    const glm::uvec3* const index = mesh.index.data() + first;
+    const QuantizedPoint* const place = mesh.place.data();
+    constexpr std::size_t kAhead = 128; // triangles whose index is asked for
+    const std::size_t ahead = std::min(kAhead, mesh.index.size() - last);
+    for (std::size_t i = 0; i < last - first; ++i) {
+        __builtin_prefetch(index + i + ahead);
+        for (int k = 0; k < 3; ++k)
+            std::memcpy(&boxes.corner[k][i], &place[index[i][k]], sizeof(QuantizedPoint));
+    }
+}
+
+/// Edges of a register of triangles, as GridBoxes has them.
+struct GridEdges {
+    Word normal[3];
+    Word beyond, beyond_opposite;
+
+    /// from  corner 0 to a sample
+    HWY_INLINE hn::Mask<Words> outside(Word from) const
+    {
+        const Word e0 = hn::Add(products16(from, normal[0]), beyond),
+                   e1 = hn::Add(products16(from, normal[1]), beyond_opposite),
+                   e2 = hn::Add(products16(from, normal[2]), beyond);
+        return below_zero(hn::Or(hn::Or(e0, e1), e2));
+    }
+};
+
+/// The edges of triangles whose boxes are less than 2^14 wide and high: products stay within 32 bits.
+/// Others', and those whose corners lie beyond the grid or whose sides roundings might have changed,
+/// are 0: every sample may be inside.
+HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high)
+{
+    const Words d;
+    constexpr std::uint64_t kLarge = 0xC000C00000000000; // in x or y: 2^14 and more
+    const auto set = [&](std::uint64_t v) { return hn::Set(d, v); };
+    const Word zero = hn::Zero(d), upper = set(kUpperHalf);
+    const Word size = difference16(high, low);
+    const auto beyond_grid = hn::Or(any16(low, 0, kUpperHalf), any16(high, kLastPlace, kUpperHalf));
+    const auto unfit = hn::Or(hn::Ne(hn::And(size, set(kLarge)), zero), beyond_grid);
+
+    // The edge from p to q: (-dy, dx).
+    const auto normal = [&](Word p, Word q) {
+        const Word along = difference16(q, p), dx = hn::ShiftLeft<16>(along),
+                   dy = hn::ShiftLeft<32>(hn::ShiftRight<48>(difference16(p, q)));
+        return hn::Or(dy, hn::And(dx, set(0xFFFF000000000000)));
+    };
+    const Word n0 = normal(a, b), n1 = normal(b, c), n2 = normal(c, a);
+    const Word area = products16(difference16(c, a), n0);
+    // The error (sample_grid.h), in the upper half.
+    const Word extent =
+        hn::Add(hn::And(hn::ShiftRight<32>(size), set(0xFFFF)), hn::ShiftRight<48>(size));
+    const Word twice_and_half =
+        hn::Add(hn::Add(extent, extent), hn::Add(hn::ShiftRight<1>(extent), set(1)));
+    const Word error = hn::ShiftLeft<32>(
+        hn::Add(hn::ShiftLeftSame(twice_and_half, grid.error_shift), set(grid.error_rest)));
+
+    const auto turned = below_zero(area);
+    const Word turn = hn::IfThenElseZero(turned, upper);
+    const Word side = hn::IfThenElse(turned, hn::Sub(zero, area), area);
+    // |area| > error: no sum here leaves 63 bits.
+    const auto certain = hn::AndNot(unfit, below_zero(hn::Sub(error, side)));
+    const auto kept = [&](Word v) { return hn::IfThenElseZero(certain, v); };
+    const auto inward = [&](Word n) { return kept(difference16(hn::Xor(n, turn), turn)); };
+    return {{inward(n0), inward(n1), inward(n2)}, kept(error), kept(hn::Add(error, side))};
+}
+
+/// The edges of the eights of triangles whose bits are set.
+HWY_NOINLINE void find_all_edges(const SampleGrid& grid, std::uint32_t groups, GridBoxes& boxes)
+{
+    const Words d;
+    for (; groups; groups &= groups - 1) {
+        const std::size_t first = 8 * std::size_t(std::countr_zero(groups));
+        for (std::size_t i = first; i < first + 8; i += hn::Lanes(d)) {
+            const auto load = [&](const std::uint64_t* from) { return hn::Load(d, from + i); };
+            const GridEdges edges = find_edges(grid, load(boxes.corner[0]), load(boxes.corner[1]),
+                load(boxes.corner[2]), load(boxes.low), load(boxes.high));
+            for (int e = 0; e < 3; ++e) hn::Store(edges.normal[e], d, boxes.normal[e] + i);
+            hn::Store(edges.beyond, d, boxes.beyond + i);
+            hn::Store(edges.beyond_opposite, d, boxes.beyond_opposite + i);
+        }
+    }
+}
+
+/// Boxes of triangles [first, last), and which of them reach into that of the samples.
+HWY_NOINLINE void find_boxes(
+    const PencilMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
+{
+    const Words d;
+    boxes.first = first;
+    gather_places(mesh, first, last, boxes);
+    boxes.inside_count = boxes.unseen_count = 0;
+    for (std::size_t i = 0; i < hwy::RoundUpTo(last - first, 8); i += hn::Lanes(d)) {
+        const Word a = hn::Load(d, boxes.corner[0] + i), b = hn::Load(d, boxes.corner[1] + i),
+                   c = hn::Load(d, boxes.corner[2] + i);
+        const Word low = least16(least16(a, b), c), high = greatest16(greatest16(a, b), c);
+        const auto given = hn::FirstN(d, std::max(i, last - first) - i);
+        const auto unseen = hn::And(given, any16(high, kLastPlace, 0xFFFF));
+        if (!hn::AllFalse(d, unseen)) [[unlikely]]
+            append(i, unseen, boxes.unseen, boxes.unseen_count);
+        // Above or below all samples on an axis, or farther than all.
+        const auto beside =
+            hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kLastPlace, kUpperHalf));
+        const auto inside = hn::AndNot(hn::Or(beside, unseen), given);
+        const Word upper = hn::Set(d, kUpperHalf);
+        hn::Store(hn::IfThenElse(inside, hn::And(low, upper), upper), d, boxes.low + i);
+        hn::Store(hn::IfThenElseZero(inside, high), d, boxes.high + i);
+        append(i, inside, boxes.inside, boxes.inside_count);
+    }
+}
+
+/// Finds the strips of those inside, and leaves those out that lie behind all samples around them, as
+/// the far side of a body does. Returns a bit for each eight triangles of which some are left.
+HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& boxes)
+{
+    static_assert(GridBoxes::kTriangles == 32 * 8);
+    std::size_t kept = 0;
+    std::uint32_t groups = 0;
+    for (std::size_t k = 0; k < boxes.inside_count; ++k) {
+        const std::uint32_t i = boxes.inside[k];
+        const StripRange strips = strips_of(grid, boxes.low[i], boxes.high[i]);
+        const bool behind = is_behind(grid, strips, boxes.low[i], boxes.high[i]);
+        boxes.inside[kept] = i;
+        boxes.strips[kept] = strips;
+        kept += !behind;
+        groups |= std::uint32_t(!behind) << (i / 8);
+    }
+    boxes.inside_count = kept;
+    return groups;
+}
+
+/// The strips of those inside, of which some are left out, and edges.
+HWY_INLINE void sort_boxes(const SampleGrid& grid, GridBoxes& boxes)
+{
+    std::uint32_t groups = 0;
+    if (boxes.pause.is_over()) {
+        const std::size_t before = boxes.inside_count;
+        groups = leave_out_behind(grid, boxes);
+        // It costs a third of what is done with a triangle that is left.
+        boxes.pause.after(8 * (before - boxes.inside_count) >= before);
+    } else {
+        for (std::size_t k = 0; k < boxes.inside_count; ++k) {
+            const std::uint32_t i = boxes.inside[k];
+            boxes.strips[k] = strips_of(grid, boxes.low[i], boxes.high[i]);
+            groups |= 1u << (i / 8);
+        }
+    }
+    find_all_edges(grid, groups, boxes);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

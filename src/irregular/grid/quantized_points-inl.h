@@ -1,0 +1,39 @@
+// quantized_points-inl.h - from coordinates to places on a grid of samples (sample_grid.h).
+#if defined(FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_
+#undef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_
+#else
+#define FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "irregular/grid/quantized_points.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The places of a register of coordinates, whole numbers in 32 bits: at most `last`.
+template <class V>
+HWY_INLINE auto places_along(const GridAxes::Axis& axis, float last, V v)
+{
+    const hn::DFromV<V> d;
+    const hn::RebindToSigned<decltype(d)> whole;
+    const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    const V at = hn::Add(hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale)), one);
+    // Infinite ones on an axis without scale are no numbers: with all samples.
+    const V inside = hn::IfThenElse(
+        hn::Eq(at, at), hn::IfThenElse(hn::Gt(at, zero), hn::Min(at, hn::Set(d, last)), zero), one);
+    // 2^23 is added, so that the nearest whole number is in the lowest bits.
+    const V shifted = hn::Add(inside, hn::Set(d, 8388608.0f));
+    return hn::And(hn::BitCast(whole, shifted), hn::Set(whole, 0xFFFF));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target

@@ -1,0 +1,154 @@
+// shapes.cpp - spheres, cones, polygons and single triangles of an AFF scene.
+#include "readers/aff/facets.h"
+#include "readers/aff/statements.h"
+#include "readers/aff/tessellate.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace firsthit::aff {
+namespace {
+
+/// Reads a corner's normal if there is one; zero otherwise.
+glm::vec3 corner_normal(Lexer& lexer, bool has_normal)
+{
+    return has_normal ? lexer.small_triple("a corner's normal") : glm::vec3(0);
+}
+
+void begin_plain_part(const Lexer& lexer, State& state)
+{
+    state.builder.begin_part(lexer, state.node, state.builder.material(state.material, -1));
+}
+
+void add_facets(const Lexer& lexer, State& state, const Facets& facets)
+{
+    for (const glm::vec3& p : facets.position)
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(p[axis])) lexer.fail_scene("the shape reaches beyond +-3.4e38");
+    begin_plain_part(lexer, state);
+    const auto first = static_cast<std::uint32_t>(state.builder.scene.position.size());
+    for (std::size_t v = 0; v < facets.position.size(); ++v)
+        state.builder.add_vertex(facets.position[v], facets.normal[v]);
+    for (const glm::uvec3& t : facets.triangle)
+        state.builder.add_triangle(first + t.x, first + t.y, first + t.z);
+}
+
+void read_any_polygon(Lexer& lexer, State& state, bool has_normals)
+{
+    const std::uint32_t count = lexer.count("the number of corners");
+    if (count < 3)
+        lexer.fail_scene("a polygon should have 3 corners or more, not " + std::to_string(count));
+    // As many as the file can still hold: a corner is 6 bytes or more.
+    std::vector<glm::vec3> position;
+    std::vector<glm::vec3> normal;
+    position.reserve(std::min<std::size_t>(count, lexer.remaining() / 6 + 1));
+    for (std::uint32_t k = 0; k < count; ++k) {
+        position.push_back(lexer.small_triple("a corner"));
+        normal.push_back(corner_normal(lexer, has_normals));
+    }
+
+    begin_plain_part(lexer, state);
+    const glm::vec3 flat = flat_normal(position);
+    const auto first = static_cast<std::uint32_t>(state.builder.scene.position.size());
+    for (std::size_t k = 0; k < count; ++k)
+        state.builder.add_vertex(position[k], unit_or(normal[k], flat));
+    for (std::uint32_t k = 1; k + 1 < count; ++k)
+        state.builder.add_triangle(first, first + k, first + k + 1);
+}
+
+void read_any_textured_triangle(Lexer& lexer, State& state, bool has_normals)
+{
+    const std::string_view name = lexer.word("the texture's name");
+    const std::int32_t texture = state.builder.texture(lexer, name);
+    std::array<glm::vec3, 3> position;
+    std::array<glm::vec3, 3> normal;
+    std::array<glm::vec2, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+        position[k] = lexer.small_triple("a corner");
+        normal[k] = corner_normal(lexer, has_normals);
+        uv[k] = lexer.small_pair("a texture coordinate");
+    }
+
+    state.builder.begin_part(lexer, state.node, state.builder.material(state.material, texture));
+    const glm::vec3 flat = flat_normal(position);
+    std::array<std::uint32_t, 3> vertex;
+    for (std::size_t k = 0; k < 3; ++k)
+        vertex[k] = state.builder.add_vertex(position[k], unit_or(normal[k], flat), uv[k]);
+    state.builder.add_triangle(vertex[0], vertex[1], vertex[2]);
+}
+
+} // namespace
+
+void read_sphere(Lexer& lexer, State& state)
+{
+    const glm::dvec3 center = lexer.small_triple("the sphere's middle");
+    const double radius = lexer.small_number("the sphere's radius");
+    add_facets(lexer, state, tessellate_sphere(center, radius, state.settings.sphere_segments));
+}
+
+void read_cone(Lexer& lexer, State& state)
+{
+    Cone cone;
+    cone.base = lexer.small_triple("the cone's base");
+    cone.base_radius = lexer.small_number("the cone's radius at the base");
+    cone.apex = lexer.small_triple("the cone's apex");
+    cone.apex_radius = lexer.small_number("the cone's radius at the apex");
+    if (cone.base == cone.apex) lexer.fail_scene("the cone's base and apex are the same point");
+    if (cone.base_radius * cone.apex_radius < 0)
+        lexer.fail_scene("the cone's radii should both be positive or both negative");
+    if (cone.base_radius == 0 && cone.apex_radius == 0) {
+        state.builder.warn(lexer, "a cone without radii is left out");
+        return;
+    }
+    add_facets(lexer, state, tessellate_cone(cone, state.settings.cone_segments));
+}
+
+void read_polygon(Lexer& lexer, State& state)
+{
+    read_any_polygon(lexer, state, false);
+}
+void read_smooth_polygon(Lexer& lexer, State& state)
+{
+    read_any_polygon(lexer, state, true);
+}
+
+void read_textured_triangle(Lexer& lexer, State& state)
+{
+    read_any_textured_triangle(lexer, state, false);
+}
+
+void read_textured_smooth_triangle(Lexer& lexer, State& state)
+{
+    read_any_textured_triangle(lexer, state, true);
+}
+
+void read_animated_triangle(Lexer& lexer, State& state)
+{
+    const std::uint32_t count = lexer.count("the number of keys");
+    if (count < 1) lexer.fail_scene("an animated triangle should have 1 key or more");
+    std::vector<MorphKey> keys;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        MorphKey key;
+        key.time_s = lexer.small_number("a key's time");
+        if (k > 0 && key.time_s < keys.back().time_s)
+            lexer.fail_scene("the keys of an animated triangle should be in order of time");
+        for (int corner = 0; corner < 3; ++corner) {
+            key.position.push_back(lexer.small_triple("a corner"));
+            key.normal.push_back(lexer.small_triple("a corner's normal"));
+        }
+        const glm::vec3 flat = flat_normal(key.position);
+        for (glm::vec3& normal : key.normal) normal = unit_or(normal, flat);
+        keys.push_back(std::move(key));
+    }
+    state.builder.add_morph_triangle(
+        lexer, state.node, state.builder.material(state.material, -1), keys);
+}
+
+} // namespace firsthit::aff

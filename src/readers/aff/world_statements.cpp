@@ -1,0 +1,128 @@
+// world_statements.cpp - camera, lights, surroundings and materials of an AFF scene.
+#include "readers/aff/statements.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace firsthit::aff {
+namespace {
+
+/// A light's colour, white where it has none.
+glm::vec3 optional_color(Lexer& lexer)
+{
+    const std::optional<double> red = lexer.number_if_next("the light's red");
+    if (!red) return glm::vec3(1);
+    const float green = lexer.small_number("the light's green");
+    const float blue = lexer.small_number("the light's blue");
+    return {static_cast<float>(*red), green, blue};
+}
+
+void set_material(const Lexer& lexer, State& state, Material material)
+{
+    material.name = lexer.file() + ":" + std::to_string(lexer.line());
+    state.material = std::move(material);
+}
+
+} // namespace
+
+void read_view(Lexer& lexer, State& state)
+{
+    state.camera_place = lexer.place();
+    Camera camera;
+    lexer.expect("from", "v");
+    camera.eye = lexer.small_triple("the camera's place");
+    lexer.expect("at", "v");
+    camera.direction = glm::dvec3(lexer.small_triple("the camera's target")) - camera.eye;
+    lexer.expect("up", "v");
+    camera.up = lexer.small_triple("the camera's up");
+    lexer.expect("angle", "v");
+    const double angle_deg = lexer.number("the camera's angle");
+    if (!(angle_deg > 0 && angle_deg < 180))
+        lexer.fail_scene("the camera's angle should lie between 0 and 180 degrees, not be " +
+                         std::to_string(angle_deg));
+    camera.fov_y_rad = glm::radians(angle_deg);
+    lexer.expect("hither", "v");
+    lexer.number("the camera's near plane");
+    lexer.expect("resolution", "v");
+    lexer.number("the picture's width");
+    lexer.number("the picture's height");
+    state.builder.scene.camera = camera;
+}
+
+void read_light(Lexer& lexer, State& state)
+{
+    Light light;
+    light.position = lexer.small_triple("the light's place");
+    light.color = optional_color(lexer);
+    state.builder.add_light(light, {});
+}
+
+void read_moving_light(Lexer& lexer, State& state)
+{
+    const std::string_view track = lexer.word("the light's name");
+    Light light;
+    light.position = lexer.small_triple("the light's place");
+    light.color = optional_color(lexer);
+    state.builder.add_light(light, track);
+}
+
+void read_background(Lexer& lexer, State& state)
+{
+    state.builder.scene.background = lexer.small_triple("the background's colour");
+}
+
+void read_ambient(Lexer& lexer, State& state)
+{
+    state.builder.scene.ambient = lexer.small_triple("the ambient light's colour");
+}
+
+void read_animation(Lexer& lexer, State& state)
+{
+    Scene& scene = state.builder.scene;
+    scene.begin_s = lexer.small_number("the animation's start");
+    scene.end_s = lexer.small_number("the animation's end");
+    const std::int64_t frames = lexer.integer("the number of frames");
+    if (scene.end_s < scene.begin_s) lexer.fail_scene("the animation ends before it starts");
+    if (frames < 1 || frames > 1'000'000'000)
+        lexer.fail_scene("the number of frames should lie between 1 and 1000000000, not be " +
+                         std::to_string(frames));
+    scene.frames = static_cast<int>(frames);
+}
+
+void read_detail(Lexer& lexer, State& state)
+{
+    state.detail = lexer.integer("the detail level");
+}
+
+void read_simple_material(Lexer& lexer, State& state)
+{
+    Material material;
+    const glm::vec3 color = lexer.small_triple("the material's colour");
+    const float diffuse = lexer.small_number("the material's Kd");
+    material.ambient = glm::vec3(0);
+    material.diffuse = diffuse * color;
+    material.specular = glm::vec3(lexer.small_number("the material's Ks"));
+    material.shininess = lexer.small_number("the material's shine");
+    material.transmittance = lexer.small_number("the material's T");
+    material.ior = lexer.small_number("the material's index of refraction");
+    for (int channel = 0; channel < 3; ++channel)
+        if (!std::isfinite(material.diffuse[channel]))
+            lexer.fail_scene("the material's Kd times its colour is too large");
+    set_material(lexer, state, material);
+}
+
+void read_full_material(Lexer& lexer, State& state)
+{
+    Material material;
+    material.ambient = lexer.small_triple("the material's ambient colour");
+    material.diffuse = lexer.small_triple("the material's diffuse colour");
+    material.specular = lexer.small_triple("the material's specular colour");
+    material.shininess = lexer.small_number("the material's shine");
+    material.transmittance = lexer.small_number("the material's T");
+    material.ior = lexer.small_number("the material's index of refraction");
+    set_material(lexer, state, material);
+}
+
+} // namespace firsthit::aff

@@ -1,0 +1,166 @@
+// compare_light_visibility.cpp - holds exact shadows against other ray casters, each disagreement decided exactly.
+#include "base/instruction_set.h"
+#include "base/tasks.h"
+#include "cpu/frame.h"
+#include "hits/spot_cone.h"
+#include "rays/brute.h"
+#include "rays/brute_shadows.h"
+#ifdef FIRSTHIT_EMBREE
+#include "rays/embree_occluder.h"
+#endif
+#include "render/check_settings.h"
+#include "scene/model/check_light.h"
+#include "visibility/bin/project.h"
+
+#include <firsthit/compare.h>
+#include <firsthit/error.h>
+
+#include <atomic>
+#include <utility>
+
+namespace firsthit {
+namespace {
+
+/// The hits of one picture that one light may reach: on the right side, and inside its cone.
+struct Reachable {
+    std::vector<std::uint32_t> pixel;
+    std::vector<glm::vec3> point; // in the light's space, lifted
+    std::vector<std::uint32_t> item;
+};
+
+/// One light's view of the world.
+struct LightVisibilityScene {
+    PencilSpace space;
+    std::vector<glm::vec3> corner;
+    LightTriangles triangles;
+
+    LightVisibilityScene(const World& world, const Light& light, const glm::dvec3& eye)
+        : space(light_space(light, eye)),
+          corner(all_to_light(space, world.position)),
+          triangles{corner, world.scene->index}
+    {
+    }
+};
+
+Reachable find_reachable(
+    const LightVisibilityScene& lit, const Light& light, const EyeTriangles& eye, const Film& film)
+{
+    Effort effort;
+    Reachable reachable;
+    const std::vector<float>& position = film[Aov::position].value;
+    const SpotCone cone = light.kind == Light::Kind::spot ? spot_cone(light) : SpotCone{};
+    for (std::size_t k = 0; k < film.item.size(); ++k) {
+        const std::uint32_t item = film.item[k];
+        if (item == kNoItem) continue;
+        const Corners corners = lit.triangles[item];
+        const int side = light_side(lit.space, corners, effort);
+        if (side == 0 || side != volume_sign(eye[item], effort)) continue;
+        const glm::vec3 d =
+            to_light(lit.space, {position[3 * k], position[3 * k + 1], position[3 * k + 2]});
+        if (light.kind == Light::Kind::spot && !in_cone(cone, d)) continue;
+        reachable.pixel.push_back(std::uint32_t(k));
+        reachable.point.push_back(lifted(lit.space, d, receiver_of(corners, side)));
+        reachable.item.push_back(item);
+    }
+    return reachable;
+}
+
+std::vector<std::uint8_t> cast(Oracle oracle, const LightVisibilityScene& lit,
+    const Reachable& reachable, Tasks& tasks, const std::function<void(double)>& progress)
+{
+    std::vector<std::uint8_t> shadowed(reachable.point.size());
+    if (oracle == Oracle::brute) {
+        brute_shadows(
+            lit.space, lit.triangles, reachable.point, reachable.item, shadowed, tasks, progress);
+    } else {
+#ifdef FIRSTHIT_EMBREE
+        EmbreeOccluder embree(lit.triangles, true, tasks.threads());
+        embree.test(lit.space, reachable.point, reachable.item, shadowed, tasks);
+#else
+        throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
+#endif
+    }
+    return shadowed;
+}
+
+/// Ours of one light, (height, width): 1 where it reaches the hit.
+std::vector<std::uint8_t> lit_bits(const Film& film, std::size_t light)
+{
+    const Plane& lit = film[Aov::lit];
+    const auto lights = static_cast<std::size_t>(lit.channels);
+    std::vector<std::uint8_t> bits(film.item.size());
+    for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = lit.value[k * lights + light] > 0;
+    return bits;
+}
+
+/// Adds one light's counts.
+void count(const LightVisibilityScene& lit, const Reachable& reachable,
+    const std::vector<std::uint8_t>& theirs, std::vector<std::uint8_t> ours, const Film& film,
+    Tasks& tasks, LitComparison& result)
+{
+    std::atomic<std::uint64_t> agree{0}, ours_wrong{0}, theirs_wrong{0};
+    tasks.for_ranges(reachable.point.size(), 4096, [&](std::size_t first, std::size_t last) {
+        std::uint64_t same = 0; // nearly all
+        for (std::size_t k = first; k < last; ++k) {
+            const bool our_lit = std::exchange(ours[reachable.pixel[k]], std::uint8_t(0)) != 0;
+            if (our_lit != (theirs[k] != 0)) {
+                ++same;
+                continue;
+            }
+            Effort effort;
+            const bool shadowed = is_shadowed_brute(
+                lit.space, lit.triangles, reachable.point[k], reachable.item[k], effort);
+            ++(our_lit == shadowed ? ours_wrong : theirs_wrong);
+        }
+        agree += same;
+    });
+    // What is left of ours should be dark: the background, and hits that the light cannot reach.
+    std::uint64_t hits = 0, wrong = 0;
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+        hits += film.item[k] != kNoItem;
+        wrong += ours[k] != 0;
+    }
+    result.pixels += hits;
+    result.agree += agree + (hits - reachable.point.size()) - wrong;
+    result.ours_wrong += ours_wrong + wrong;
+    result.theirs_wrong += theirs_wrong;
+}
+
+} // namespace
+
+LitComparison compare_lit(const World& world, const View& view, Oracle oracle, int threads,
+    const std::function<void(double)>& progress)
+{
+    select_instruction_set();
+    Tasks tasks(threads);
+    const View filled = checked(view);
+    check_lights(world);
+    Film film;
+    Stats stats;
+    FrameMemory memory;
+    Settings settings;
+    settings.color = false;
+    settings.aovs = {Aov::item, Aov::position, Aov::lit};
+    settings.shadows = Shadows::exact;
+    render_frame(world, filled, settings, memory, tasks, film, stats);
+
+    ViewMemory eye;
+    eye.pencil = pencil_of(filled, filled.region, 1);
+    project_vertices(world.position, eye, tasks);
+    const EyeTriangles triangles{
+        eye.corner.span().first(world.position.size()), world.scene->index};
+    LitComparison result;
+    const std::size_t lights = world.lights.size();
+    for (std::size_t l = 0; l < lights; ++l) {
+        const LightVisibilityScene lit(world, world.lights[l], eye.pencil.eye);
+        const Reachable reachable = find_reachable(lit, world.lights[l], triangles, film);
+        const auto share = [&](double part) {
+            if (progress) progress((double(l) + part) / double(lights));
+        };
+        const std::vector<std::uint8_t> theirs = cast(oracle, lit, reachable, tasks, share);
+        count(lit, reachable, theirs, lit_bits(film, l), film, tasks, result);
+    }
+    return result;
+}
+
+} // namespace firsthit

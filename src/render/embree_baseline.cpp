@@ -1,0 +1,170 @@
+// embree_baseline.cpp - the public baseline: poses, checks, brings the tree up to date, makes the frame.
+#include "base/instruction_set.h"
+#include "base/stopwatch.h"
+#include "base/tasks.h"
+#include "render/check_settings.h"
+#include "scene/model/check_light.h"
+#include "scene/animate/pose.h"
+#ifdef FIRSTHIT_EMBREE
+#include "baseline/embree_frame.h"
+#endif
+
+#include <firsthit/error.h>
+#include <firsthit/baseline.h>
+
+#include <fmt/format.h>
+
+#include <new>
+#include <utility>
+
+namespace firsthit {
+
+std::string_view baseline_update_name(BaselineUpdate update)
+{
+    switch (update) {
+    case BaselineUpdate::refit_parts:
+        return "refit-parts";
+    case BaselineUpdate::refit:
+        return "refit";
+    case BaselineUpdate::rebuild_low:
+        return "rebuild-low";
+    case BaselineUpdate::rebuild_medium:
+        return "rebuild-medium";
+    case BaselineUpdate::rebuild_high:
+        return "rebuild-high";
+    }
+    return "";
+}
+
+#ifdef FIRSTHIT_EMBREE
+
+struct EmbreeBaseline::Impl {
+    Impl(const Scene& of, BaselineUpdate update, int threads, int asked_packet)
+        : scene(of),
+          tasks(threads),
+          tree(of, update, tasks.threads()),
+          packet(asked_packet != 0 ? asked_packet : tree.widest_packet())
+    {
+        if (packet != 8 && packet != 16)
+            throw ArgumentError(fmt::format("Embree's packets have 8 or 16 rays, not {}", packet));
+        select_instruction_set();
+        world.position.reserve(scene.vertices + 2); // Embree reads 16 bytes of a vertex
+    }
+
+    const Scene& scene;
+    Tasks tasks;
+    World world;
+    EmbreeTree tree;
+    int packet; // rays
+    EmbreeFrameMemory memory;
+    BaselineStats stats;
+    double pose_ms = 0; // since the last frame
+};
+
+EmbreeBaseline::EmbreeBaseline(const Scene& scene, BaselineUpdate update, int threads, int packet)
+    : impl_(std::make_unique<Impl>(scene, update, threads, packet))
+{
+}
+
+const World& EmbreeBaseline::pose(double time_s)
+{
+    Stopwatch watch;
+    firsthit::pose(impl_->scene, time_s, impl_->world, impl_->tasks);
+    impl_->pose_ms += watch.lap_ms();
+    return impl_->world;
+}
+
+void EmbreeBaseline::assume_moved()
+{
+    impl_->tree.assume_moved();
+}
+
+void EmbreeBaseline::render(const View& view, const Settings& settings, Film& film)
+{
+    Impl& impl = *impl_;
+    if (!impl.world.scene) pose(0);
+    check(settings, impl.world.lights.size());
+    if (settings.samples != 1 || settings.interleave != 1)
+        throw ArgumentError("Embree's frame has one ray a pixel: accepted is 1 for samples and "
+                            "for interleave");
+    if (settings.shadows == Shadows::map)
+        throw ArgumentError(
+            "Embree's frame has no shadow maps: accepted are exact shadows or none");
+    check_lights(impl.world);
+    const View filled = checked(view);
+    impl.stats = {};
+    impl.stats.pose_ms = std::exchange(impl.pose_ms, 0);
+    Stopwatch watch;
+    double after_ms = 0;
+    try {
+        impl.stats.updated_triangles = impl.tree.update(impl.world);
+        impl.stats.update_ms = watch.lap_ms();
+        render_embree(impl.world, filled, settings, impl.tree, impl.packet, impl.memory, impl.tasks,
+            film, impl.stats);
+        after_ms = watch.lap_ms();
+    } catch (const std::bad_alloc&) {
+        throw Error("not enough memory for a picture of this size");
+    }
+    impl.stats.total_ms = impl.stats.pose_ms + impl.stats.update_ms + after_ms;
+}
+
+const BaselineStats& EmbreeBaseline::stats() const
+{
+    return impl_->stats;
+}
+
+int EmbreeBaseline::threads() const
+{
+    return impl_->tasks.threads();
+}
+
+int EmbreeBaseline::packet() const
+{
+    return impl_->packet;
+}
+
+std::string baseline_version()
+{
+    return fmt::format("Embree {}", RTC_VERSION_STRING);
+}
+
+#else
+
+struct EmbreeBaseline::Impl {};
+
+EmbreeBaseline::EmbreeBaseline(const Scene&, BaselineUpdate, int, int)
+{
+    throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
+}
+const World& EmbreeBaseline::pose(double)
+{
+    throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
+}
+void EmbreeBaseline::assume_moved() {}
+void EmbreeBaseline::render(const View&, const Settings&, Film&)
+{
+    pose(0);
+}
+const BaselineStats& EmbreeBaseline::stats() const
+{
+    static const BaselineStats none;
+    return none;
+}
+int EmbreeBaseline::threads() const
+{
+    return 0;
+}
+int EmbreeBaseline::packet() const
+{
+    return 0;
+}
+std::string baseline_version()
+{
+    return {};
+}
+
+#endif
+
+EmbreeBaseline::~EmbreeBaseline() = default;
+
+} // namespace firsthit

@@ -1,0 +1,198 @@
+// exact_shadows.cpp - which lights reach what the eye sees.
+#include "shadow/exact/exact_shadows.h"
+
+#include "base/stopwatch.h"
+#include "hits/hit_position.h"
+#include "shadow/exact/collect_hits.h"
+#include "shadow/exact/lift_points.h"
+
+#include <bit>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace firsthit {
+namespace {
+
+/// The points behind the ids: number of a sample in all tiles.
+class HitPoints : public LightPoints {
+  public:
+    HitPoints(std::span<const HitTile> tiles, const PencilMesh& mesh) : tiles_(tiles), mesh_(mesh)
+    {
+        item = tiles[0].item;
+        ids_rise = true;
+    }
+
+    glm::vec3 in_light_space(std::uint32_t id) const override
+    {
+        const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
+        const HitTile& tile = tiles_[id / samples];
+        const std::uint32_t at = id % samples, block = at / kBlockSamples;
+        const std::uint32_t blocks_x = size / kBlock;
+        const int k = int(at % kBlockSamples);
+        const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
+                    y = float(block / blocks_x * kBlock) + float(block_y(k));
+        const glm::vec3 d = to_light(mesh_.space, hit_position(tile.frame, x, y, tile.t[at]));
+        return lift_point(mesh_, tile.item[at], d);
+    }
+
+  private:
+    std::span<const HitTile> tiles_;
+    const PencilMesh& mesh_;
+};
+
+/// Measured: below this many triangles a sample, sorting both costs less.
+constexpr double kManyTriangles = 1.5;
+
+/// Samples around a sample that a grid's cells may hold; eight are usual.
+constexpr double kCrowded = 128;
+
+bool wants_grid(const ShadowMemory& memory, std::size_t samples)
+{
+    if (memory.plan != ShadowPlan::automatic) return memory.plan == ShadowPlan::grid;
+    return double(memory.mesh.index.size()) > kManyTriangles * double(samples);
+}
+
+} // namespace
+
+LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
+{
+    const std::size_t samples = bits.blocks * kBlockSamples;
+    memory.resize(bits.lights * samples);
+    for (std::size_t l = 0; l < bits.lights; ++l)
+        unpack_bits(bits.words.span().subspan(bits.place(l, tile), bits.blocks),
+            memory.data() + l * samples);
+    return {memory.data(), samples};
+}
+
+void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads)
+{
+    memory.samples.resize(chunks * chunk_room(points_a_chunk));
+    if (memory.parts.size() < chunks) memory.parts.resize(chunks);
+    memory.patches.resize(chunks);
+    memory.shadowed.resize(chunks * points_a_chunk);
+    while (int(memory.workers.size()) < threads)
+        memory.workers.push_back(std::make_unique<ShadowWorker>());
+    if (int(memory.grid_counts.size()) < threads) memory.grid_counts.resize(std::size_t(threads));
+    for (const auto& worker : memory.workers) {
+        worker->chunk.reserve(points_a_chunk);
+        worker->receivers.run.resize(points_a_chunk);
+    }
+}
+
+ShadowEffort take_effort(ShadowMemory& memory)
+{
+    for (const auto& worker : memory.irregular.workers) {
+        memory.effort.counts.add(worker->leaf.counts);
+        worker->leaf.counts = {};
+    }
+    for (GridShadowCounts& worker : memory.grid_counts) {
+        memory.effort.counts.add(worker.counts);
+        worker.counts = {};
+    }
+    return std::exchange(memory.effort, {});
+}
+
+/// Tests the samples of one face by the grid. Returns the number of triangles that are left, or
+/// nothing where samples crowd together more than the grid can tell apart: nothing is done then.
+std::optional<std::size_t> test_face_by_grid(const CubeFace& face, const SampleBounds& bounds,
+    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+{
+    Stopwatch watch;
+    const bool sorted = sort_into_grid(memory.samples.span(), memory.patches.span(), bounds,
+        {face.directional, goes_along_y(memory.mesh, face, bounds)}, points, memory.grid, tasks);
+    memory.effort.sort_ms += watch.lap_ms();
+    if (!sorted || (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded)) return {};
+    place_all_vertices(face, memory.grid.axes, memory.mesh, tasks);
+    memory.effort.see_ms += watch.lap_ms();
+    const std::size_t left =
+        test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
+    memory.effort.test_ms += watch.lap_ms();
+    if (left > 0) project_all_vertices_to_face(face, memory.mesh, tasks); // for those
+    memory.effort.see_ms += watch.lap_ms();
+    return left;
+}
+
+void test_chunks(
+    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+{
+    const std::size_t chunks = memory.patches.size();
+    ShadowEffort& effort = memory.effort;
+    for (std::size_t face = 0; face < kLightFaces; ++face) {
+        SampleBounds bounds;
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < chunks; ++k) {
+            const SamplePatch& patch = memory.patches[k] = memory.parts[k][face];
+            if (patch.range.count == 0) continue;
+            bounds.add(patch.bounds);
+            count += patch.range.count;
+        }
+        if (count == 0) continue;
+        effort.points += count;
+        const CubeFace seen_by = cube_face(memory.mesh.space.directional, int(face));
+        std::optional<std::size_t> left;
+        if (wants_grid(memory, count))
+            left = test_face_by_grid(seen_by, bounds, points, memory, tasks, shadowed);
+        if (left == std::size_t(0)) continue;
+        Stopwatch watch;
+        if (!left) project_through_face(seen_by, bounds, memory.mesh, tasks);
+        effort.see_ms += watch.lap_ms();
+        sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
+            memory.irregular, tasks);
+        effort.sort_ms += watch.lap_ms();
+        test_face(memory.mesh, points, memory.irregular, tasks, shadowed);
+        effort.test_ms += watch.lap_ms();
+    }
+}
+
+void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
+    ShadowMemory& memory, Tasks& tasks, LitBits& lit, TileOcclusion* tile_occlusion)
+{
+    const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
+    lit.lights = world.lights.size();
+    lit.tiles = tiles.size();
+    lit.blocks = samples / kBlockSamples;
+    lit.words.resize(world.lights.size() * lit.tiles * lit.blocks);
+    resize(memory, tiles.size(), samples, tasks.threads());
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const Light& light = world.lights[l];
+        const PencilSpace space = light_space(light, eye);
+        std::optional<SpotCone> cone;
+        if (light.kind == Light::Kind::spot) cone = spot_cone(light);
+        Stopwatch watch;
+        if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
+            std::fill_n(&lit.words[lit.place(l, 0)], lit.tiles * lit.blocks, std::uint64_t(0));
+            memory.effort.collect_ms += watch.lap_ms();
+            continue;
+        }
+        memory.effort.collect_ms += watch.lap_ms();
+        see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+        memory.effort.see_ms += watch.lap_ms();
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
+            std::uint64_t* words = &lit.words[lit.place(l, tile)];
+            if (tile_occlusion && tile_occlusion->hidden[tile]) {
+                std::fill_n(words, lit.blocks, std::uint64_t(0));
+                memory.parts[tile] = {};
+                return;
+            }
+            TileReceivers& receivers = memory.workers[worker]->receivers;
+            LightChunk& chunk = memory.workers[worker]->chunk;
+            find_receivers(memory.mesh, tiles[tile], receivers);
+            collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
+                             std::uint32_t(tile * samples)},
+                tile * chunk_room(samples), memory.samples.span(), {words, lit.blocks},
+                memory.parts[tile], chunk);
+            std::memset(memory.shadowed.data() + tile * samples, 0, samples);
+        });
+        memory.effort.collect_ms += watch.lap_ms();
+        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
+        watch.lap_ms();
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
+            remove_shadowed(memory.shadowed.data() + tile * samples,
+                lit.words.span().subspan(lit.place(l, tile), lit.blocks));
+        });
+        memory.effort.collect_ms += watch.lap_ms();
+    }
+}
+
+} // namespace firsthit

@@ -1,0 +1,251 @@
+// tile_occlusion.cpp - tiles that a wall hides from a light as a whole.
+#include "shadow/exact/tile_occlusion.h"
+
+#include "irregular/mesh/occluder_choice.h"
+#include "irregular/cells/shadowed_box.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace firsthit {
+namespace {
+
+using glm::dvec3;
+
+constexpr std::uint32_t kFewTriangles = 12;  // of a part: a box
+constexpr std::size_t kMostOccluders = 8192; // 40 ns each for every light
+
+/// The triangles of parts that have few; where these would be too many, of parts with fewer.
+void find_occluders(const Scene& scene, Buffer<std::uint32_t>& occluders)
+{
+    std::array<std::size_t, kFewTriangles + 1> triangles{}; // of all parts that have so many
+    for (const Part& part : scene.parts)
+        if (part.triangle_count <= kFewTriangles)
+            triangles[part.triangle_count] += part.triangle_count;
+    std::uint32_t few = 0;
+    std::size_t count = 0;
+    while (few < kFewTriangles && count + triangles[few + 1] <= kMostOccluders)
+        count += triangles[++few];
+    occluders.resize(count);
+    std::size_t next = 0;
+    for (const Part& part : scene.parts)
+        if (part.triangle_count <= few)
+            for (std::uint32_t k = 0; k < part.triangle_count; ++k)
+                occluders[next++] = part.first_triangle + k;
+}
+
+dvec3 in_light_space(const PencilSpace& space, const dvec3& p)
+{
+    return space.directional ? space.axes * p : p - dvec3(space.origin);
+}
+
+Corners corners_in_light_space(const World& world, const PencilSpace& space, std::uint32_t triangle)
+{
+    const glm::uvec3& c = world.scene->index[triangle];
+    const auto& at = world.position;
+    return {to_light(space, at[c.x]), to_light(space, at[c.y]), to_light(space, at[c.z])};
+}
+
+/// How far a hit, lifted off its triangle, may lie outside of its tile's hull, each coordinate.
+double slack_of(const TileHull& hull, const PencilSpace& space, double farthest)
+{
+    const double light = double(largest_coordinate(space.origin)) + double(space.reach);
+    const double corner = 2 * (farthest + light); // of any triangle, in the light's space
+    constexpr double kUnderflow = 0x1p-140;       // of floats near zero
+    return 2 * hull.rounding + kPositionRounding * light + double(kShadowMargin) * corner +
+           kUnderflow;
+}
+
+/// The bounds of points with some slack, as a face sees them; nothing where it does not see all.
+std::optional<SampleBounds> seen_by(
+    const CubeFace& face, const std::array<dvec3, 8>& points, double slack)
+{
+    SampleBounds bounds;
+    for (const dvec3& p : points) {
+        // Farther out there might be points without a shadow ray.
+        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) + slack < kFarthest))
+            return {};
+        const double a = p[face.axis_a], b = p[face.axis_b], c = double(face.sign) * p[face.axis_c];
+        if (face.directional) {
+            bounds.add({float(a - slack), float(b - slack), float(a + slack), float(b + slack),
+                float(-c - slack), float(-c + slack)});
+            continue;
+        }
+        const double near = c - slack, far = c + slack;
+        if (!(near > 0)) return {};
+        const auto low = [&](double v) {
+            return float(v - slack < 0 ? (v - slack) / near : (v - slack) / far);
+        };
+        const auto high = [&](double v) {
+            return float(v + slack > 0 ? (v + slack) / near : (v + slack) / far);
+        };
+        bounds.add({low(a), low(b), high(a), high(b), float(1 / far), float(1 / near)});
+    }
+    const float widest = std::max({-bounds.x0, -bounds.y0, bounds.x1, bounds.y1});
+    if (!face.directional && !(widest <= kWidestFace)) return {};
+    return bounds;
+}
+
+/// One face for all tiles where there is one; else each has that where it is nearest to the middle.
+void look_at_tiles(const PencilSpace& space, TileOcclusion& tile_occlusion, Tasks& tasks)
+{
+    const auto box_of = [&](const TileHull& hull) {
+        VertexBox box;
+        for (const dvec3& p : hull.corner) {
+            const glm::vec3 seen(in_light_space(space, p));
+            box.add({seen, seen});
+        }
+        return box;
+    };
+    VertexBox all;
+    for (const TileHull& hull : tile_occlusion.hulls.span())
+        if (!hull.empty) all.add(box_of(hull));
+    const int common = space.directional ? 0 : find_wide_face(all);
+    tile_occlusion.sights.resize(tile_occlusion.hulls.size());
+    tasks.for_each(tile_occlusion.hulls.size(), [&](std::size_t tile, std::size_t) {
+        const TileHull& hull = tile_occlusion.hulls[tile];
+        TileSight& sight = tile_occlusion.sights[tile] = {};
+        if (hull.empty) return;
+        const int number = common >= 0 ? common : find_wide_face(box_of(hull));
+        if (number < 0) return;
+        std::array<dvec3, 8> points;
+        for (std::size_t k = 0; k < 8; ++k) points[k] = in_light_space(space, hull.corner[k]);
+        const auto bounds = seen_by(cube_face(space.directional, number), points,
+            slack_of(hull, space, tile_occlusion.farthest));
+        if (bounds) sight = {number, *bounds};
+    });
+}
+
+/// The box of a triangle, about; false where the face does not see it.
+bool project_triangle_to_face(const CubeFace& face, const Corners& corners, ProjectedTriangle& box)
+{
+    if (!usable(corners)) return false;
+    if (face.directional) {
+        const glm::vec3 low = glm::min(glm::min(corners[0], corners[1]), corners[2]),
+                        high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+        box = {box.triangle, low.x, low.y, high.x, high.y, -low.z};
+        return true;
+    }
+    SampleBounds bounds;
+    for (const glm::vec3& corner : corners) {
+        const glm::vec3 p = face.seen_from(corner);
+        if (!(p.z > 0)) return project_carefully(face, corners, box);
+        const float w = 1 / p.z, x = p.x * w, y = p.y * w;
+        bounds.add({x, y, x, y, w, w});
+    }
+    box = {box.triangle, bounds.x0, bounds.y0, bounds.x1, bounds.y1, bounds.nearest_w};
+    return true;
+}
+
+/// The triangles that cover most of what a face sees.
+OccluderList occluders_of(const World& world, const PencilSpace& space, const CubeFace& face,
+    const SampleBounds& bounds, std::span<const std::uint32_t> occluders)
+{
+    OccluderChoice choice(bounds);
+    for (const std::uint32_t wall : occluders) {
+        ProjectedTriangle box{wall, 0, 0, 0, 0, 0};
+        if (project_triangle_to_face(face, corners_in_light_space(world, space, wall), box))
+            choice.offer(box);
+    }
+    return choice.occluders;
+}
+
+/// What one light's face sees of the occluders, and asks of them.
+struct Occluders {
+    const World& world;
+    const PencilSpace& space;
+    CubeFace face;
+    OccluderList occluders;
+
+    /// Whether one of the triangles certainly shadows all hits of the tile, or one and the next.
+    bool hide(const SampleBounds& bounds, const HitTile& hits) const
+    {
+        for (const ProjectedTriangle& seen : occluders.span()) {
+            if (!(seen.x0 <= bounds.x1 && seen.x1 >= bounds.x0 && seen.y0 <= bounds.y1 &&
+                    seen.y1 >= bounds.y0 && seen.nearest_w > bounds.nearest_w))
+                continue;
+            const std::uint32_t first = seen.triangle;
+            const Corners corners = corners_in_light_space(world, space, first);
+            if (shadows_box(space, face, corners, bounds) && nothing_is_on(first, first, hits))
+                return true;
+            if (hide_with(first, corners, first + 1, bounds, hits) ||
+                hide_with(first, corners, first - 1, bounds, hits))
+                return true;
+        }
+        return false;
+    }
+
+  private:
+    /// The other one may be the neighbour in a quad or a fan, or none.
+    bool hide_with(std::uint32_t first, const Corners& corners, std::uint32_t second,
+        const SampleBounds& bounds, const HitTile& hits) const
+    {
+        if (second >= world.scene->index.size()) return false;
+        const Corners others = corners_in_light_space(world, space, second);
+        return usable(others) && shadow_box(space, face, corners, others, bounds) &&
+               nothing_is_on(first, second, hits);
+    }
+
+    static bool nothing_is_on(std::uint32_t first, std::uint32_t second, const HitTile& hits)
+    {
+        return std::none_of(hits.runs.begin(), hits.runs.end(),
+            [&](const HitRun& run) { return run.item == first || run.item == second; });
+    }
+};
+
+} // namespace
+
+void start_tile_occlusion(
+    const World& world, std::size_t tiles, TileOcclusion& tile_occlusion, Tasks& tasks)
+{
+    find_occluders(*world.scene, tile_occlusion.occluders);
+    if (!tile_occlusion.has_occluders()) return;
+    tile_occlusion.hulls.resize(tiles);
+    constexpr std::size_t kRange = 8192; // vertices
+    tile_occlusion.range_farthest.resize((world.position.size() + kRange - 1) / kRange);
+    tasks.for_ranges(world.position.size(), kRange, [&](std::size_t first, std::size_t last) {
+        tile_occlusion.range_farthest[first / kRange] =
+            largest_coordinate(std::span(world.position).subspan(first, last - first));
+    });
+    tile_occlusion.farthest = 0;
+    for (const float farthest : tile_occlusion.range_farthest.span())
+        tile_occlusion.farthest = std::max(tile_occlusion.farthest, double(farthest));
+}
+
+void add_hits(const HitTile& hits, std::size_t tile, TileOcclusion& tile_occlusion)
+{
+    tile_occlusion.hulls[tile] = tile_hull(hits);
+}
+
+bool find_occluded_tiles(const World& world, const PencilSpace& space,
+    std::span<const HitTile> tiles, TileOcclusion& tile_occlusion, Tasks& tasks)
+{
+    look_at_tiles(space, tile_occlusion, tasks);
+    const auto occluders_of = [&](int face) {
+        return Occluders{world, space, cube_face(space.directional, face), {}};
+    };
+    std::array occluders{occluders_of(0), occluders_of(1), occluders_of(2), occluders_of(3),
+        occluders_of(4), occluders_of(5)};
+    for (int face = 0; face < kLightFaces; ++face) {
+        SampleBounds bounds;
+        for (const TileSight& sight : tile_occlusion.sights.span())
+            if (sight.face == face) bounds.add(sight.bounds);
+        if (bounds.x0 <= bounds.x1)
+            occluders[std::size_t(face)].occluders = occluders_of(world, space,
+                occluders[std::size_t(face)].face, bounds, tile_occlusion.occluders.span());
+    }
+    tile_occlusion.hidden.resize(tiles.size());
+    tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
+        const TileSight& sight = tile_occlusion.sights[tile];
+        tile_occlusion.hidden[tile] =
+            tile_occlusion.hulls[tile].empty ||
+            (sight.face >= 0 && occluders[std::size_t(sight.face)].hide(sight.bounds, tiles[tile]));
+    });
+    const auto hidden = tile_occlusion.hidden.span();
+    return std::find(hidden.begin(), hidden.end(), 0) == hidden.end();
+}
+
+} // namespace firsthit

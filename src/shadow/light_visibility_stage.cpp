@@ -1,0 +1,96 @@
+// light_visibility_stage.cpp - which lights reach what is seen, by the technique that was asked for.
+#include "shadow/light_visibility_stage.h"
+
+#include "shadow/map/sample_shadow_map.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace firsthit {
+
+namespace {
+
+/// Finds the lights that reach no hit at all, and what the others' maps have to show: bounds are asked for
+/// only now where there are occluders.
+void find_dark_lights(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
+    LightVisibilityMemory& memory, Tasks& tasks)
+{
+    for (std::size_t light = 0; light < world.lights.size(); ++light) {
+        memory.dark[light] = find_occluded_tiles(
+            world, light_space(world.lights[light], eye), tiles, memory.tile_occlusion, tasks);
+        if (memory.dark[light]) continue;
+        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
+            add_hits(tiles[tile], light, memory.maps, worker);
+        });
+    }
+}
+
+} // namespace
+
+void start_light_visibility(const World& world, const Settings& settings, std::size_t tiles,
+    LightVisibilityMemory& memory, Tasks& tasks)
+{
+    memory.technique = settings.shadows == Shadows::map ? Shadows::map : Shadows::exact;
+    memory.dark.assign(world.lights.size(), 0);
+    // A bias that is given may let light through a wall.
+    const bool by_map = memory.technique == Shadows::map;
+    if (memory.by_occluders && !(by_map && settings.shadow_bias >= 0))
+        start_tile_occlusion(world, tiles, memory.tile_occlusion, tasks);
+    else
+        memory.tile_occlusion.occluders.resize(0);
+    if (by_map) start_maps(world, tasks.threads(), memory.maps);
+}
+
+void add_light_visibility_hits(
+    const HitTile& hits, std::size_t tile, LightVisibilityMemory& memory, std::size_t worker)
+{
+    if (memory.tile_occlusion.has_occluders())
+        add_hits(hits, tile, memory.tile_occlusion);
+    else if (memory.technique == Shadows::map)
+        add_hits(hits, memory.maps, worker);
+}
+
+void find_light_visibility(const World& world, const Settings& settings, const glm::dvec3& eye,
+    std::span<const HitTile> tiles, LightVisibilityMemory& memory, Tasks& tasks)
+{
+    const bool occluders = memory.tile_occlusion.has_occluders();
+    if (memory.technique == Shadows::exact) {
+        test_exact_shadows(world, eye, tiles, memory.exact, tasks, memory.bits,
+            occluders ? &memory.tile_occlusion : nullptr);
+        return;
+    }
+    if (occluders) find_dark_lights(world, eye, tiles, memory, tasks);
+    update_maps(world, settings, memory.maps, tasks, memory.map_maker);
+}
+
+LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,
+    std::size_t tile, const LightVisibilityMemory& memory, Buffer<float>& room)
+{
+    if (memory.technique == Shadows::exact) return unpack_lit(memory.bits, tile, room);
+    const std::size_t samples = std::size_t(tiles[tile].size) * std::size_t(tiles[tile].size);
+    room.resize(world.lights.size() * samples);
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        float* lit = room.data() + l * samples;
+        if (memory.dark[l])
+            std::fill_n(lit, samples, 0.0f);
+        else
+            sample_shadow_map(memory.maps, world, tiles[tile], l, lit);
+    }
+    return {room.data(), samples};
+}
+
+void add_light_visibility_stats(LightVisibilityMemory& memory, Stats& stats)
+{
+    stats.map_updates += std::exchange(memory.maps.updates, 0);
+    const ShadowEffort effort = take_effort(memory.exact);
+    stats.shadow_collect_ms += effort.collect_ms;
+    stats.shadow_sort_ms += effort.see_ms + effort.sort_ms;
+    stats.shadow_test_ms += effort.test_ms;
+    stats.shadow_points += effort.points;
+    stats.shadow_triangles += effort.counts.triangles;
+    stats.shadow_pairs += effort.counts.pairs;
+    stats.shadow_uncertain += effort.counts.uncertain;
+    stats.exact_calls += effort.counts.effort.exact_calls;
+}
+
+} // namespace firsthit

@@ -1,0 +1,52 @@
+// light_visibility_stage.h - the frame's question "which lights reach what is seen?", put to the technique that
+// was asked for.
+#pragma once
+
+#include "base/tasks.h"
+#include "hits/hit_tile.h"
+#include "hits/light_visibility.h"
+#include "shadow/exact/exact_shadows.h"
+#include "shadow/map/shadow_map.h"
+#include "shadow/exact/tile_occlusion.h"
+
+#include <firsthit/render.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace firsthit {
+
+/// Kept from frame to frame.
+struct LightVisibilityMemory {
+    Shadows technique = Shadows::exact; // never none
+    bool by_occluders = true; // look for tiles behind occluders first; not where the maps are lent
+    TileOcclusion tile_occlusion;
+    std::vector<std::uint8_t> dark; // (lights) no hit is reached; of the maps
+    ShadowMemory exact;
+    LitBits bits; // of the exact technique
+    ShadowMaps maps;
+    MapMaker* map_maker = nullptr; // null: our rasteriser
+};
+
+/// Begins a part of the picture.
+void start_light_visibility(const World& world, const Settings& settings, std::size_t tiles,
+    LightVisibilityMemory& memory, Tasks& tasks);
+
+/// Takes note of a tile's hits while they are in cache. Calls with different workers may overlap.
+void add_light_visibility_hits(
+    const HitTile& hits, std::size_t tile, LightVisibilityMemory& memory, std::size_t worker);
+
+/// Once all tiles' hits are known: finds the shadows, or makes the maps that show them.
+/// eye, tiles  see test_exact_shadows
+void find_light_visibility(const World& world, const Settings& settings, const glm::dvec3& eye,
+    std::span<const HitTile> tiles, LightVisibilityMemory& memory, Tasks& tasks);
+
+/// How much of each light reaches the samples of a tile; in `room`.
+LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,
+    std::size_t tile, const LightVisibilityMemory& memory, Buffer<float>& room);
+
+/// Adds what was done since the last call.
+void add_light_visibility_stats(LightVisibilityMemory& memory, Stats& stats);
+
+} // namespace firsthit

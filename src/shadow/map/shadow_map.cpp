@@ -1,0 +1,161 @@
+// shadow_map.cpp - depth as each light sees it, made by the rasteriser and kept from frame to frame.
+#include "shadow/map/shadow_map.h"
+
+#include "shadow/map/map_pencil.h"
+#include "shadow/map/merge_faces.h"
+#include "visibility/bin/bins.h"
+#include "visibility/bin/project.h"
+
+#include <algorithm>
+
+namespace firsthit {
+namespace {
+
+constexpr int kTile = 64; // texels
+
+/// A rectangle of a map's texels.
+struct Part {
+    int x, y, width, height;
+};
+
+/// Rasterises a part of the map; halves of it where it is too large or meets too many triangles.
+void raster_part(
+    const World& world, const Part& part, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
+{
+    ViewMemory& view = maps.view;
+    const int longest = std::max(part.width, part.height);
+    bool seen = longest <= kMaxPencil;
+    if (seen) {
+        view.tile_size = kTile;
+        view.pencil.width = part.width;
+        view.pencil.height = part.height;
+        view.pencil.x0 = part.x + 0.5 - 0.5 * map.width();
+        view.pencil.y0 = part.y + 0.5 - 0.5 * map.height();
+        view.tiles_x = (part.width + kTile - 1) / kTile;
+        view.tiles_y = (part.height + kTile - 1) / kTile;
+        view.tile_of.resize(std::size_t(longest));
+        for (int k = 0; k < longest; ++k) view.tile_of[std::size_t(k)] = std::uint8_t(k / kTile);
+        project_vertices(world.position, view, tasks, CornerSpace::flat);
+        seen = bin_triangles(world.scene->index, view, tasks, TinyTriangles::depths);
+    }
+    if (!seen) {
+        const bool wide = part.width >= part.height;
+        const int cut = (longest / kTile + 1) / 2 * kTile;
+        const Part first{part.x, part.y, wide ? cut : part.width, wide ? part.height : cut};
+        const Part second{wide ? part.x + cut : part.x, wide ? part.y : part.y + cut,
+            wide ? part.width - cut : part.width, wide ? part.height : part.height - cut};
+        for (const Part& half : {first, second}) raster_part(world, half, maps, map, tasks);
+        return;
+    }
+    tasks.for_each(std::size_t(view.tiles()), [&](std::size_t tile, std::size_t worker) {
+        DepthTile& depth = maps.workers[worker]->tile;
+        raster_depth(view, int(tile), depth);
+        const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
+        store_depth(depth, view.pencil,
+            {.depth = &map.depth[quad_offset(part.x + x, part.y + y, map.width())],
+                .quads_x = quads(map.width()),
+                .farthest = &map.farthest.at((part.x + x) / kCellSide, (part.y + y) / kCellSide),
+                .cells_x = map.farthest.across,
+                .width = std::min(kTile, part.width - x),
+                .height = std::min(kTile, part.height - y)});
+    });
+}
+
+void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
+{
+    const Pencil pencil = place_map(world, face, map);
+    const std::size_t texels =
+        std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
+    map.depth.resize(texels, texels / 2); // what hits fill of a face changes from frame to frame
+    map.farthest.resize(map.width(), map.height());
+    maps.view.pencil = pencil;
+    raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
+}
+
+} // namespace
+
+void start_maps(const World& world, int threads, ShadowMaps& maps)
+{
+    if (!maps.complete) maps.light.clear();
+    maps.light.resize(world.lights.size());
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        maps.light[light].frame = light_frame(world.lights[light]);
+    while (int(maps.workers.size()) < threads) {
+        maps.workers.push_back(std::make_unique<ShadowMaps::Worker>());
+        resize(maps.workers.back()->tile, kTile);
+    }
+    for (const auto& worker : maps.workers)
+        worker->bounds.assign(world.lights.size(), LightBounds{});
+}
+
+void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker)
+{
+    for (std::size_t light = 0; light < maps.light.size(); ++light)
+        add_hits(hits, light, maps, worker);
+}
+
+void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::size_t worker)
+{
+    add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
+}
+
+void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
+    ShadowMaps& maps, Tasks& tasks)
+{
+    if (!maps.complete) maps.light.clear();
+    maps.complete = false;
+    maps.filter = settings.shadow_filter;
+    maps.bias = settings.shadow_bias;
+    maps.texels = 0;
+    maps.changed.clear();
+    maps.light.resize(world.lights.size());
+    if (maps.light.empty()) return;
+    const auto wanted = [&](std::size_t number, int face) {
+        return MapSource{maps.light[number].frame,
+            map_fit(bounds[number][std::size_t(face)], settings.shadow_map_size,
+                settings.shadow_filter),
+            maps.geometry.version};
+    };
+    const auto for_maps = [&](const auto& f) {
+        for (std::size_t number = 0; number < maps.light.size(); ++number)
+            for (int face = 0; face < kFaces; ++face)
+                f(MapNumber{number, face}, wanted(number, face));
+    };
+    for (std::size_t number = 0; number < maps.light.size(); ++number) {
+        maps.light[number].frame = light_frame(world.lights[number]);
+        merge_faces(bounds[number]);
+    }
+    // Do all have to be made, wherever the triangles are?
+    bool anyway = true;
+    for_maps([&](const MapNumber& k, const MapSource& source) {
+        if (source.fit.width > 0 && source == map_of(maps, k).source) anyway = false;
+    });
+    follow(world, anyway, maps.geometry, tasks);
+    for_maps([&](const MapNumber& k, const MapSource& source) {
+        maps.texels += std::uint64_t(source.fit.width) * std::uint64_t(source.fit.height);
+        ShadowMap& map = map_of(maps, k);
+        if (source == map.source) return;
+        map.source = source;
+        if (source.fit.width > 0) maps.changed.push_back(k);
+    });
+}
+
+void update_maps(
+    const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks, MapMaker* maker)
+{
+    maps.bounds.assign(world.lights.size(), LightBounds{});
+    for (const auto& worker : maps.workers)
+        for (std::size_t light = 0; light < maps.bounds.size(); ++light)
+            for (std::size_t face = 0; face < kFaces; ++face)
+                maps.bounds[light][face].add(worker->bounds[light][face]);
+    plan_maps(world, settings, maps.bounds, maps, tasks);
+    if (maker)
+        maker->make(world, maps, tasks);
+    else
+        for (const MapNumber& k : maps.changed)
+            make_map(world, k.face, maps, map_of(maps, k), tasks);
+    maps.updates += maps.changed.size();
+    maps.complete = true;
+}
+
+} // namespace firsthit

@@ -1,0 +1,218 @@
+// set_up-inl.h - edges and depth of a batch of triangles, one triangle a lane.
+//
+// Everything is computed in double and rounded once to float. With u = 2^-24: c, gx, gy are rounded
+// (u each), then come two products and two sums, so |computed e - e| <= 5 u (|c| + X |gx| + Y
+// |gy|), X and Y the largest offsets; the steps of the tiny kernel add less than u. Edges are
+// scaled so that the bracket is 1: one constant bounds them all. The double part adds less than
+// 2^-30: the products of a x b are exact, so each term has at most four roundings of 2^-53, and |nx
+// X0| + |ny Y0| + |nz|
+// <= 2^18 times the bracket for the largest picture.
+//
+// Depth is not scaled: 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w where the bracket is at most 3 w,
+// which is asked of the triangle's least w = 1 / its farthest z; the double part is asked to stay
+// below 2.5 u w, and the tiny kernel's steps add 3 u w: less than kDepthError = 24 u in all.
+#if defined(FIRSTHIT_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_SET_UP_INL_H
+#undef FIRSTHIT_SET_UP_INL_H
+#else
+#define FIRSTHIT_SET_UP_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "visibility/raster/item_tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Bound of an edge's error at a sample, and at a corner of a box (two more sums).
+constexpr float kEdgeError = 6 * 0x1p-24f;
+constexpr float kBoxError = 12 * 0x1p-24f;
+
+template <class V>
+struct Vector3 {
+    V x, y, z;
+};
+
+template <class V>
+HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b)
+{
+    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+        hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+        hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// |a.y b.z| + |a.z b.y|, ...: what bounds the error of cross(a, b).
+template <class V>
+HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const Vector3<V>& b)
+{
+    const auto term = [](V p, V q, V r, V s) {
+        return hn::Add(hn::Abs(hn::Mul(p, q)), hn::Abs(hn::Mul(r, s)));
+    };
+    return {term(a.y, b.z, a.z, b.y), term(a.z, b.x, a.x, b.z), term(a.x, b.y, a.y, b.x)};
+}
+
+template <class V>
+HWY_INLINE Vector3<V> sub(const Vector3<V>& a, const Vector3<V>& b)
+{
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+/// A triangle's plane and edges as the origin sees them, in double.
+template <class V>
+struct Planes {
+    Vector3<V> edge[3];   // v1 x v2, v2 x v0, v0 x v1: the edge opposite of each corner
+    Vector3<V> n, n_size; // (v1 - v0) x (v2 - v0)
+    V volume, volume_size;
+};
+
+template <class V>
+HWY_INLINE Planes<V> planes_of(const Vector3<V>& v0, const Vector3<V>& v1, const Vector3<V>& v2)
+{
+    Planes<V> p;
+    p.edge[0] = cross(v1, v2);
+    p.edge[1] = cross(v2, v0);
+    p.edge[2] = cross(v0, v1);
+    const auto e1 = sub(v1, v0), e2 = sub(v2, v0);
+    p.n = cross(e1, e2);
+    p.n_size = cross_size(e1, e2);
+    const V tx = hn::Mul(v0.x, p.edge[0].x), ty = hn::Mul(v0.y, p.edge[0].y),
+            tz = hn::Mul(v0.z, p.edge[0].z);
+    p.volume = hn::Add(hn::Add(tx, ty), tz);
+    p.volume_size = hn::Add(hn::Add(hn::Abs(tx), hn::Abs(ty)), hn::Abs(tz));
+    return p;
+}
+
+/// Sets up one register of the batch's triangles, starting with number i. (x0, y0): direction of
+/// the tile's first sample.
+template <class D>
+HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
+{
+    using V = hn::Vec<D>;
+    const hn::Rebind<float, D> f;
+    const hn::Rebind<std::int32_t, D> w;
+    const auto load = [&](int axis) {
+        return hn::PromoteTo(d, hn::Load(f, batch.corner[axis] + i));
+    };
+    const auto whole = [&](const std::int32_t* p) { return hn::Load(w, p + i); };
+    const auto real = [&](auto v) { return hn::PromoteTo(d, v); };
+    const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
+        v2{load(6), load(7), load(8)};
+    const Planes<V> p = planes_of(v0, v1, v2);
+
+    const V ox = hn::Add(hn::Set(d, x0), real(whole(batch.origin_x)));
+    const V oy = hn::Add(hn::Set(d, y0), real(whole(batch.origin_y)));
+    const V extent_x = real(whole(batch.extent_x)), extent_y = real(whole(batch.extent_y));
+    const V one = hn::Set(d, 1.0);
+    const auto at_origin = [&](const Vector3<V>& n) {
+        return hn::Add(hn::Add(hn::Mul(n.x, ox), hn::Mul(n.y, oy)), n.z);
+    };
+
+    // Depth: 1/t = N . d / volume, and whether float or double is certain of it (kDepthError).
+    const V inverse_volume = hn::Div(one, p.volume);
+    const V wx = hn::Mul(p.n.x, inverse_volume), wy = hn::Mul(p.n.y, inverse_volume);
+    const V wc = hn::Mul(at_origin(p.n), inverse_volume);
+    const V farthest_z = hn::Max(v0.z, hn::Max(v1.z, v2.z));
+    const V float_size = hn::Add(
+        hn::Abs(wc), hn::Add(hn::Mul(extent_x, hn::Abs(wx)), hn::Mul(extent_y, hn::Abs(wy))));
+    const V double_size = hn::Add(hn::Add(hn::Mul(p.n_size.x, hn::Add(hn::Abs(ox), extent_x)),
+                                      hn::Mul(p.n_size.y, hn::Add(hn::Abs(oy), extent_y))),
+        p.n_size.z);
+    const auto float_fits = hn::Le(hn::Mul(float_size, farthest_z), hn::Set(d, 3.0));
+    const auto well_conditioned = hn::And(
+        hn::Ge(hn::Abs(p.volume), hn::Mul(hn::Set(d, 0x1p-24), p.volume_size)),
+        hn::Le(hn::Mul(double_size, farthest_z), hn::Mul(hn::Set(d, 0x1p27), hn::Abs(p.volume))));
+    // False for NaN: a volume of 0.
+    const auto double_fits =
+        hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
+
+    // Edges, positive inside, |e| <= 1 over the extent.
+    auto gx0 = hn::Zero(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,
+         gy2 = gx0, c2 = gx0;
+    const auto edge = [&](const Vector3<V>& n, auto& gx, auto& gy, auto& c) {
+        const V at = at_origin(n);
+        const V size = hn::Add(
+            hn::Abs(at), hn::Add(hn::Mul(extent_x, hn::Abs(n.x)), hn::Mul(extent_y, hn::Abs(n.y))));
+        const V scale = hn::Div(hn::CopySign(one, p.volume), size);
+        gx = hn::DemoteTo(f, hn::Mul(n.x, scale));
+        gy = hn::DemoteTo(f, hn::Mul(n.y, scale));
+        c = hn::DemoteTo(f, hn::Mul(at, scale));
+    };
+    edge(p.edge[0], gx0, gy0, c0);
+    edge(p.edge[1], gx1, gy1, c1);
+    edge(p.edge[2], gx2, gy2, c2);
+
+    // Which way to go. An edge that is negative over the whole box: the tile is missed.
+    const auto zero = hn::Zero(f);
+    const auto bx0 = whole(batch.x0), by0 = whole(batch.y0);
+    const auto bx1 = whole(batch.x1), by1 = whole(batch.y1);
+    const auto start_x = hn::ConvertTo(f, hn::Sub(bx0, whole(batch.origin_x)));
+    const auto start_y = hn::ConvertTo(f, hn::Sub(by0, whole(batch.origin_y)));
+    const auto steps_x = hn::ConvertTo(f, hn::Sub(bx1, bx0));
+    const auto steps_y = hn::ConvertTo(f, hn::Sub(by1, by0));
+    const auto start = [&](auto gx, auto gy, auto c) {
+        return hn::MulAdd(gx, start_x, hn::MulAdd(gy, start_y, c));
+    };
+    const auto s0 = start(gx0, gy0, c0), s1 = start(gx1, gy1, c1), s2 = start(gx2, gy2, c2);
+    const auto most = [&](auto s, auto gx, auto gy) {
+        return hn::MulAdd(hn::Max(gx, zero), steps_x, hn::MulAdd(hn::Max(gy, zero), steps_y, s));
+    };
+    const auto best = hn::Min(most(s0, gx0, gy0), hn::Min(most(s1, gx1, gy1), most(s2, gx2, gy2)));
+    const auto missed = hn::Lt(best, hn::Set(f, -kBoxError));
+
+    // Tiny boxes: all four samples here and now.
+    const auto wxf = hn::DemoteTo(f, wx), wyf = hn::DemoteTo(f, wy), wcf = hn::DemoteTo(f, wc);
+    const auto sw = start(wxf, wyf, wcf);
+    const auto single = hn::Set(f, 1.0f);
+    auto tiny = hn::And(hn::Le(steps_x, single), hn::Le(steps_y, single));
+    if (!hn::AllFalse(f, tiny)) {
+        const auto sample = [&](int k, auto has) {
+            const auto step = [&](auto s, auto gx, auto gy) {
+                if (k & 1) s = hn::Add(s, gx);
+                if (k & 2) s = hn::Add(s, gy);
+                return s;
+            };
+            const auto m =
+                hn::Min(step(s0, gx0, gy0), hn::Min(step(s1, gx1, gy1), step(s2, gx2, gy2)));
+            const auto inside = hn::And(has, hn::Gt(m, hn::Set(f, kEdgeError)));
+            const auto open = hn::AndNot(inside, hn::And(has, hn::Ge(m, hn::Set(f, -kEdgeError))));
+            tiny = hn::AndNot(open, tiny);
+            hn::Store(hn::IfThenElseZero(inside, step(sw, wxf, wyf)), f, batch.tiny_w[k] + i);
+        };
+        const auto right = hn::Gt(steps_x, zero), below = hn::Gt(steps_y, zero);
+        sample(0, hn::Eq(zero, zero));
+        sample(1, right);
+        sample(2, below);
+        sample(3, hn::And(right, below));
+    }
+
+    const auto is = [&](Kernel kernel) { return hn::Set(w, std::int32_t(kernel)); };
+    const auto narrow = [&](auto mask) { // a double's mask for a float's lanes
+        return hn::Ne(hn::DemoteTo(f, hn::IfThenElseZero(mask, one)), zero);
+    };
+    const auto large = hn::Ge(hn::Max(steps_x, steps_y), hn::Set(f, 16.0f));
+    auto kernel = hn::IfThenElse(hn::RebindMask(w, large), is(Kernel::large), is(Kernel::small));
+    kernel = hn::IfThenElse(hn::RebindMask(w, tiny), is(Kernel::tiny), kernel);
+    kernel = hn::IfThenElse(hn::RebindMask(w, narrow(float_fits)), kernel, is(Kernel::wide));
+    kernel = hn::IfThenElse(hn::RebindMask(w, missed), is(Kernel::none), kernel);
+    kernel = hn::IfThenElse(hn::RebindMask(w, narrow(double_fits)), kernel, is(Kernel::exact));
+
+    const auto store = [&](auto v, float* to) { hn::Store(v, f, to + i); };
+    store(gx0, batch.gx[0]), store(gy0, batch.gy[0]), store(c0, batch.c[0]);
+    store(gx1, batch.gx[1]), store(gy1, batch.gy[1]), store(c1, batch.c[1]);
+    store(gx2, batch.gx[2]), store(gy2, batch.gy[2]), store(c2, batch.c[2]);
+    store(wxf, batch.wx), store(wyf, batch.wy), store(wcf, batch.wc);
+    hn::Store(wx, d, batch.wide_wx + i);
+    hn::Store(wy, d, batch.wide_wy + i);
+    hn::Store(wc, d, batch.wide_wc + i);
+    hn::Store(kernel, w, reinterpret_cast<std::int32_t*>(batch.kernel) + i);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif
