@@ -2,6 +2,7 @@
 #include "bench/bench_command.h"
 #include "compare_command.h"
 #include "info_command.h"
+#include "common/interrupt.h"
 #include "occlusion_command.h"
 #include "common/output.h"
 #include "render_command.h"
@@ -89,6 +90,7 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using namespace firsthit::cli;
+    survive_file_size_limit();
     try {
         return run(argc, argv);
     } catch (const UsageError& error) {

@@ -103,6 +103,16 @@ void check(const OcclusionOptions& options)
     check_output_path(options.output);
 }
 
+/// throws  FileError where the output would replace what was read
+void check_inputs_stay(const OcclusionOptions& options, const Scene& scene)
+{
+    std::vector<std::string> inputs = {options.points};
+    for (const std::string& input : {options.directions, options.receivers})
+        if (!input.empty()) inputs.push_back(input);
+    inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
+    firsthit::check_inputs_stay(std::span(&options.output, 1), inputs);
+}
+
 std::vector<Light> lights_of(const OcclusionOptions& options)
 {
     if (options.directions.empty()) return options.lights;
@@ -220,6 +230,7 @@ int run_occlusion(const OcclusionOptions& options)
     }
     const std::vector<Light> lights = lights_of(options);
     const Scene scene = load(options.scene);
+    check_inputs_stay(options, scene);
     report.load_ms = loading.ms();
 
     const Stopwatch posing;

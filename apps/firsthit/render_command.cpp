@@ -59,6 +59,7 @@ int run_render(const RenderOptions& options)
     run.instruction_set = instruction_set();
     const Stopwatch loading;
     Scene scene = load(options.scene);
+    check_inputs_stay(options, scene);
     apply(options.light, scene);
     check_memory(options, scene.lights.size());
     run.load_ms = loading.ms();

@@ -137,6 +137,11 @@ struct Scene {
 
     std::vector<std::string> warnings; // what a reader had to do without, one line each
 
+    /// Every file that it was read from, as it was opened (relative to the working folder of that
+    /// time): the scene's own first, then included files, material libraries and textures, also those
+    /// that turned out damaged. Empty where there was none. Not to be written over: see file.h.
+    std::vector<std::string> files;
+
     std::size_t vertex_count() const { return vertices; }
     std::size_t triangle_count() const { return index.size(); }
 

@@ -1,16 +1,20 @@
 // output_file.cpp - a file that appears whole or not at all.
 #include "io/output_file.h"
 
+#include "film/file_identity.h"
+
 #include <firsthit/error.h>
 #include <firsthit/file.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace firsthit {
@@ -36,15 +40,6 @@ std::string reason(const std::string& target, int error)
     throw FileError(fmt::format("{}: cannot write: {}", path, reason(target, error)));
 }
 
-/// Where a write to `path` ends: the file behind a chain of links.
-std::string resolve_links(const std::string& path)
-{
-    std::error_code error;
-    if (!fs::is_symlink(path, error)) return path;
-    const fs::path real = fs::canonical(path, error);
-    return error ? path : real.string();
-}
-
 /// A name that no other process or thread uses. It does not grow with the target's name, which may
 /// be as long as names can be.
 std::string temporary_name(const std::string& target)
@@ -52,6 +47,14 @@ std::string temporary_name(const std::string& target)
     static std::atomic<unsigned> counter{0};
     const std::string name = fmt::format(".firsthit-{}-{}.tmp", getpid(), counter++);
     return (fs::path(target).parent_path() / name).string();
+}
+
+/// The permissions of a file that is there, nothing of one that is not.
+std::optional<mode_t> permissions_of(const std::string& path)
+{
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return std::nullopt;
+    return status.st_mode & 0777;
 }
 
 } // namespace
@@ -66,10 +69,12 @@ bool is_device(const std::string& path)
 void check_output_path(const std::string& path)
 {
     if (path.empty()) throw FileError("cannot write to a file without a name");
-    const std::string target = resolve_links(path);
+    const std::string target = follow_links(path);
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) throw_cannot_write(path, target, EISDIR);
     const bool exists = fs::exists(target, ignored);
+    // Links are followed as far as they lead.
+    if (!exists && fs::is_symlink(target, ignored)) throw_cannot_write(path, target, ELOOP);
     if (exists && access(target.c_str(), W_OK) != 0) throw_cannot_write(path, target, errno);
     if (exists && is_device(target)) return;
     const std::string folder = folder_of(target);
@@ -85,7 +90,7 @@ void write_file(const std::string& path, std::string_view bytes)
     file.commit();
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path))
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(follow_links(path))
 {
     check_output_path(path);
     int descriptor = -1;
@@ -93,8 +98,14 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_l
         descriptor = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
         temporary_ = temporary_name(target_);
-        descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        // What nobody else may read is at no time open to others.
+        const std::optional<mode_t> kept = permissions_of(target_);
+        descriptor =
+            open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kept.value_or(0666));
         if (descriptor < 0) temporary_.clear();
+        // Some file systems have no permissions to keep; the bytes matter more.
+        else if (kept && fchmod(descriptor, *kept) != 0)
+            errno = 0;
     }
     if (descriptor < 0) fail(errno);
     file_ = fdopen(descriptor, "wb");

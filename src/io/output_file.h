@@ -9,8 +9,12 @@
 namespace firsthit {
 
 /// Writes beside `path` under a temporary name; commit() renames it into place. Without a commit,
-/// nothing is left. A link is followed. What exists and is no regular file (/dev/null, a pipe) is
-/// written directly.
+/// nothing is left. A file that is replaced keeps its permissions. A symbolic link is followed, also
+/// to a file that is not there yet. What exists and is no regular file (/dev/null, a pipe) is written
+/// directly.
+///
+/// Where the process ignores SIGXFSZ, a limit on the size of files is an error as others are; it ends
+/// the process otherwise, and the temporary name stays.
 ///
 /// throws  FileError that names the path and the reason, from every function
 class OutputFile {

@@ -39,4 +39,10 @@ std::string read_whole_file(const std::filesystem::path& path, std::uintmax_t ma
     return text;
 }
 
+void add_file(const std::filesystem::path& path, std::vector<std::string>& files)
+{
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error)) files.push_back(path.string());
+}
+
 } // namespace firsthit

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace firsthit {
 
@@ -14,5 +15,9 @@ namespace firsthit {
 /// why)
 std::string read_whole_file(
     const std::filesystem::path& path, std::uintmax_t max_bytes = std::uintmax_t(1) << 32);
+
+/// Adds the path of a file that is about to be read to those that a scene was read from
+/// (Scene::files). Nothing where there is no such file.
+void add_file(const std::filesystem::path& path, std::vector<std::string>& files);
 
 } // namespace firsthit

@@ -47,8 +47,10 @@ Scene read_mesh_file(const std::filesystem::path& path, const LoadSettings& sett
     std::transform(extension.begin(), extension.end(), extension.begin(),
         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    return read_mesh(
-        read_whole_file(path, kMaxMeshFile), extension, path.string(), folder, settings);
+    Scene scene =
+        read_mesh(read_whole_file(path, kMaxMeshFile), extension, path.string(), folder, settings);
+    scene.files.insert(scene.files.begin(), path.string());
+    return scene;
 }
 
 Scene read_mesh(std::string bytes, const std::string& extension, const std::string& name,

@@ -28,6 +28,7 @@ Scene read_mesh_file(const std::filesystem::path& path, const LoadSettings& sett
 /// extension  ".ply", ".stl" or ".obj"
 /// name       of the file, for messages
 /// folder     where material libraries and textures are; empty: they are not read
+/// returns    the scene, whose files are the libraries and textures
 Scene read_mesh(std::string bytes, const std::string& extension, const std::string& name,
     const std::filesystem::path& folder, const LoadSettings& settings);
 

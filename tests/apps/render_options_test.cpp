@@ -141,10 +141,33 @@ TEST(RenderOptions, NoFileIsWrittenTwice)
         "'a.npy' is to be written twice");
 }
 
-TEST(RenderOptions, TheSceneIsNotWrittenOver)
+TEST(RenderOptions, NoFileIsWrittenTwiceThroughALinkToNothingYet)
 {
-    EXPECT_EQ(message_of<UsageError>([] { check(parse("s.obj --stats-json ./s.obj")); }),
-        "'./s.obj' is the scene: write to another file");
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("later.exr", folder.path() / "link.exr");
+    const std::string link = folder / "link.exr";
+    const std::string later = folder / "later.exr";
+    EXPECT_EQ(
+        message_of<UsageError>([&] { check(parse("s -o " + later + " --aov depth=" + link)); }),
+        "'" + link + "' is to be written twice");
+}
+
+TEST(RenderOptions, NoOutputReplacesWhatTheSceneWasReadFrom)
+{
+    Scene scene;
+    scene.files = {"s.obj", "f_007.png"};
+    const auto message = [&](const std::string& line) {
+        return message_of<FileError>([&] { check_inputs_stay(parse(line), scene); });
+    };
+    EXPECT_EQ(message("s.obj --stats-json ./s.obj"),
+        "./s.obj: cannot write: it would replace the input 's.obj'");
+    EXPECT_EQ(message("s.obj -o f_007.png"),
+        "f_007.png: cannot write: it would replace the input 'f_007.png'");
+    EXPECT_EQ(message("s.obj --frames 0:1:8 -o f_%03d.png"),
+        "f_007.png: cannot write: it would replace the input 'f_007.png'");
+    EXPECT_EQ(
+        message("s.obj --aov uv=s.obj"), "s.obj: cannot write: it would replace the input 's.obj'");
+    check_inputs_stay(parse("s.obj --frames 0:1:7 -o f_%03d.png --stats-json -"), scene);
 }
 
 TEST(RenderOptions, AFilmTakesFourBytesAValue)

@@ -8,7 +8,10 @@
 #include <firsthit/file.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+
+#include <csignal>
 
 namespace firsthit {
 namespace {
@@ -74,6 +77,107 @@ TEST(OutputFile, FollowsALinkAndKeepsIt)
     write_file(folder / "link.bin", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.bin"));
     EXPECT_EQ(bytes_of(folder / "real.bin"), "new");
+}
+
+TEST(OutputFile, FollowsLinksThatLeadToNothingYet)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "there");
+    std::filesystem::create_symlink("there/second.bin", folder / "first.bin");
+    std::filesystem::create_symlink("../real.bin", folder / "there/second.bin");
+    {
+        OutputFile file(folder / "first.bin");
+        file.write("new", 3);
+        EXPECT_FALSE(std::filesystem::exists(folder / "real.bin"));
+    }
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"first.bin", "there"}));
+    write_file(folder / "first.bin", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "first.bin"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "there/second.bin"));
+    EXPECT_EQ(bytes_of(folder / "real.bin"), "new");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"first.bin", "real.bin", "there"}));
+}
+
+TEST(OutputFile, ALinkIntoAMissingFolderIsAnError)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("none/real.bin", folder / "link.bin");
+    const std::string path = folder / "link.bin";
+    EXPECT_EQ(message_of<FileError>([&] { write_file(path, "new"); }),
+        path + ": cannot write: the folder '" + (folder / "none") + "' does not exist");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"link.bin"});
+}
+
+TEST(OutputFile, LinksInACircleAreAnError)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("b.bin", folder / "a.bin");
+    std::filesystem::create_symlink("a.bin", folder / "b.bin");
+    const std::string path = folder / "a.bin";
+    EXPECT_EQ(message_of<FileError>([&] { write_file(path, "new"); }),
+        path + ": cannot write: Too many levels of symbolic links");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.bin", "b.bin"}));
+}
+
+TEST(OutputFile, KeepsThePermissionsOfTheOldFile)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("a.bin", folder / "link.bin");
+    const mode_t before = umask(022);
+    for (const mode_t mode : {0600u, 0644u, 0666u, 0755u, 0200u}) {
+        for (const char* const name : {"a.bin", "link.bin"}) {
+            std::filesystem::remove(folder / "a.bin");
+            write_file(folder / "a.bin", "old");
+            chmod((folder / "a.bin").c_str(), mode);
+            write_file(folder / name, "new");
+            struct stat status {};
+            stat((folder / "a.bin").c_str(), &status);
+            EXPECT_EQ(status.st_mode & 07777, mode) << name;
+        }
+    }
+    umask(before);
+}
+
+TEST(OutputFile, IsAtNoTimeOpenToOthersThanTheOldFileWas)
+{
+    const TemporaryFolder folder;
+    write_file(folder / "a.bin", "old");
+    chmod((folder / "a.bin").c_str(), 0600);
+    OutputFile file(folder / "a.bin");
+    for (const std::string& name : folder.names()) {
+        struct stat status {};
+        stat((folder / name).c_str(), &status);
+        EXPECT_EQ(status.st_mode & 07777, 0600u) << name;
+    }
+    EXPECT_EQ(folder.names().size(), 2u);
+}
+
+TEST(OutputFile, AFreshFileObeysTheUmask)
+{
+    const TemporaryFolder folder;
+    const mode_t before = umask(027);
+    write_file(folder / "a.bin", "new");
+    umask(before);
+    struct stat status {};
+    stat((folder / "a.bin").c_str(), &status);
+    EXPECT_EQ(status.st_mode & 07777, 0640u);
+}
+
+TEST(OutputFile, AFileBeyondTheLimitOnSizesIsReportedAndLeavesNothing)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder / "a.bin";
+    const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{.rlim_cur = 4096, .rlim_max = before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string message =
+        message_of<FileError>([&] { write_file(path, std::string(1 << 20, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, ignored);
+    EXPECT_EQ(message, path + ": cannot write: File too large");
+    EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(OutputFile, AMissingFolderIsNamed)

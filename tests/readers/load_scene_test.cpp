@@ -51,6 +51,67 @@ TEST(LoadScene, SaysWhatAWaveAccepts)
     EXPECT_NO_THROW(load_scene("builtin:wave"));
 }
 
+/// What load_scene says a scene was read from, without the folder.
+std::vector<std::string> files_of(const TemporaryFolder& folder, const std::string& name)
+{
+    std::vector<std::string> files = load_scene(folder / name).files;
+    for (std::string& file : files)
+        file = std::filesystem::path(file).lexically_relative(folder.path()).generic_string();
+    return files;
+}
+
+using Files = std::vector<std::string>;
+
+const std::string kPixel = std::string("P6 1 1 255\n") + "\x10\x20\x30";
+
+TEST(LoadSceneFiles, AreTheMeshFile)
+{
+    const TemporaryFolder folder;
+    folder.write("a.obj", kCubeObj);
+    folder.write("b.stl", binary_stl(2));
+    folder.write("c.ply", ply_header("ascii", "3", "1") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (const char* const name : {"a.obj", "b.stl", "c.ply"})
+        EXPECT_EQ(files_of(folder, name), Files{name});
+}
+
+TEST(LoadSceneFiles, AreLibrariesAndTexturesOfAnObjFile)
+{
+    const TemporaryFolder folder;
+    folder.write("a.obj", "mtllib sub/a.mtl gone.mtl\nmtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                          "vt 0 0\nusemtl one\nf 1/1 2/1 3/1\nusemtl two\nf 3/1 2/1 1/1\n"
+                          "usemtl three\nf 1/1 3/1 2/1\nusemtl four\nf 2/1 3/1 1/1\n");
+    folder.write("sub/a.mtl", "newmtl one\nmap_Kd one.ppm\nnewmtl two\nmap_Kd ../bad.png\n");
+    folder.write("b.mtl", "newmtl three\nmap_Kd gone.png\nnewmtl four\nmap_Kd sub/one.ppm\n");
+    folder.write("sub/one.ppm", kPixel);
+    folder.write("bad.png", "no picture");
+    folder.write("unused.png", "never read");
+    EXPECT_EQ(files_of(folder, "a.obj"),
+        (Files{"a.obj", "sub/a.mtl", "b.mtl", "sub/one.ppm", "bad.png"}));
+}
+
+TEST(LoadSceneFiles, AreIncludesAndTexturesOfAnAffFile)
+{
+    const TemporaryFolder folder;
+    const std::string corners = " 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1\n";
+    folder.write("aff/main.aff", "i 0 parts/a.aff\ni 5 detail.aff\ni 0 parts/a.aff\ntt one.ppm" +
+                                     corners + "tt gone.ppm" + corners + "tt bad.ppm" + corners);
+    folder.write("aff/parts/a.aff", "i 0 b.aff\ntt far.ppm" + corners);
+    folder.write("aff/b.aff", "p 3  0 0 0  1 0 0  0 1 0\n");
+    folder.write("aff/detail.aff", "p 3  0 0 0  1 0 0  0 1 0\n");
+    folder.write("aff/one.ppm", kPixel);
+    folder.write("aff/bad.ppm", "no picture");
+    folder.write("TextureFiles/far.ppm", kPixel);
+    EXPECT_EQ(files_of(folder, "aff/main.aff"),
+        (Files{"aff/main.aff", "aff/parts/a.aff", "aff/b.aff", "TextureFiles/far.ppm",
+            "aff/one.ppm", "aff/bad.ppm"}));
+}
+
+TEST(LoadSceneFiles, AreNoneOfABuiltin)
+{
+    EXPECT_TRUE(load_scene("builtin:torus").files.empty());
+    EXPECT_TRUE(load_scene("builtin:robots").files.empty());
+}
+
 TEST(LoadScene, LightsAFileWithoutLightsFromTheCamerasSide)
 {
     const TemporaryFolder folder;

@@ -17,6 +17,7 @@ namespace firsthit::cli::bench {
 int run_bench(const BenchOptions& options)
 {
     check(options);
+    check_inputs_stay(options);
     // A folder that cannot be made is said before minutes are spent.
     const ReportFolder made(output_folder(options));
     const std::string& folder = made.path();

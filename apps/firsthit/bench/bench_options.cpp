@@ -5,6 +5,7 @@
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
+#include <firsthit/scene.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace firsthit::cli::bench {
 
@@ -108,6 +111,21 @@ void check(const BenchOptions& options)
         check_output_path((existing / "index.html").string());
     }
     if (!options.json.empty() && options.json != "-") check_output_path(options.json);
+}
+
+void check_inputs_stay(const BenchOptions& options)
+{
+    std::vector<std::string> inputs;
+    if (!options.bart.empty()) inputs = load_scene(options.bart).files;
+    for (const char* file : {"bunny.stl", "dragon.ply"})
+        if (std::string scene = fetched_scene(options, file); !scene.empty())
+            inputs.push_back(std::move(scene));
+    std::vector<std::string> outputs;
+    if (const std::filesystem::path folder = output_folder(options); !folder.empty())
+        for (const char* file : {"bench.json", "index.html"})
+            outputs.push_back((folder / file).string());
+    if (!options.json.empty() && options.json != "-") outputs.push_back(options.json);
+    firsthit::check_inputs_stay(outputs, inputs);
 }
 
 std::string output_folder(const BenchOptions& options)

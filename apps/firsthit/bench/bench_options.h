@@ -32,6 +32,10 @@ void add_bench_options(CLI::App& app, BenchOptions& options);
 ///         FileError: a folder or file that cannot be written, a --bart that is not there
 void check(const BenchOptions& options);
 
+/// Finds outputs that would replace a file of the scenes.
+/// throws  FileError that names both; as load_scene of the --bart file
+void check_inputs_stay(const BenchOptions& options);
+
 /// The page's folder; empty: no page.
 std::string output_folder(const BenchOptions& options);
 

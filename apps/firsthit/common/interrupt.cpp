@@ -32,4 +32,9 @@ HoldInterrupts::~HoldInterrupts()
     if (g_pending) raise(g_pending);
 }
 
+void survive_file_size_limit()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 } // namespace firsthit::cli

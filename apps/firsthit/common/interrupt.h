@@ -19,4 +19,8 @@ class HoldInterrupts {
     std::array<struct sigaction, 3> before_{};
 };
 
+/// Lets a write beyond the limit on the size of files (ulimit -f) fail as other writes do: with a
+/// message and without a file left under its temporary name. The default is to end the program.
+void survive_file_size_limit();
+
 } // namespace firsthit::cli

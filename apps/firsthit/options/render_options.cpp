@@ -11,9 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
-#include <system_error>
 
 namespace firsthit::cli {
 
@@ -73,30 +71,16 @@ void check_patterns(const RenderOptions& options)
     }
 }
 
-/// One name for all the ways to spell a path, through links as well.
-std::string one_name(const std::string& path)
-{
-    std::error_code error;
-    const auto name =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-    return error ? path : name.string();
-}
-
-/// No file is written twice, and none over the scene that is read.
+/// No file is written twice.
 void check_no_file_twice(const RenderOptions& options)
 {
     std::vector<std::string> names = outputs(options);
     if (!options.stats_json.empty() && options.stats_json != "-")
         names.push_back(options.stats_json);
-    const std::string scene = one_name(options.scene.name);
     std::set<std::string> seen;
-    for (const std::string& name : names) {
-        const std::string written = one_name(name);
-        if (!seen.insert(written).second)
+    for (const std::string& name : names)
+        if (!seen.insert(output_target(name)).second)
             throw UsageError(fmt::format("'{}' is to be written twice", name));
-        if (written == scene)
-            throw UsageError(fmt::format("'{}' is the scene: write to another file", name));
-    }
 }
 
 } // namespace
@@ -181,6 +165,19 @@ void check(const RenderOptions& options)
 std::string file_name(const RenderOptions& options, const std::string& text, int frame)
 {
     return options.frames.empty() ? text : FramePattern(text).name(frame);
+}
+
+void check_inputs_stay(const RenderOptions& options, const Scene& scene)
+{
+    if (scene.files.empty()) return;
+    const std::size_t frames = std::max<std::size_t>(1, options.frames.size());
+    std::vector<std::string> names;
+    for (const std::string& name : outputs(options))
+        for (std::size_t frame = 0; frame < frames; ++frame)
+            names.push_back(file_name(options, name, static_cast<int>(frame)));
+    if (!options.stats_json.empty() && options.stats_json != "-")
+        names.push_back(options.stats_json);
+    firsthit::check_inputs_stay(names, scene.files);
 }
 
 Settings render_settings(const RenderOptions& options)

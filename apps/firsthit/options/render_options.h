@@ -44,6 +44,10 @@ void add_render_options(CLI::App& app, RenderOptions& options);
 ///         DeviceError: the film is larger than the machine's memory
 void check(const RenderOptions& options);
 
+/// Finds outputs, of all frames, that would replace a file that the scene was read from.
+/// throws  FileError that names both
+void check_inputs_stay(const RenderOptions& options, const Scene& scene);
+
 /// The name of a file for one frame: numbered where there are several.
 std::string file_name(const RenderOptions& options, const std::string& text, int frame);
 

@@ -68,7 +68,8 @@ struct AffMeshRange {
 ///         Each of the first two names the file and the line.
 Scene read_aff(const std::filesystem::path& path, const LoadSettings& settings);
 
-/// Reads a scene from text. `name` is the main file's, for errors and to know recursion.
+/// Reads a scene from text, without Scene::files. `name` is the main file's, for errors and to know
+/// recursion.
 ///
 /// meshes  where not null: gets the vertices of each mesh statement in file order
 /// throws  as read_aff
@@ -76,6 +77,9 @@ Scene parse_aff(const std::string& name, std::string_view text, const AffFiles& 
     const LoadSettings& settings, std::vector<AffMeshRange>* meshes = nullptr);
 
 /// How read_aff finds the files that the scene at this path names.
-AffFiles aff_files_beside(const std::filesystem::path& path);
+///
+/// opened  where not null: gets the path of each file that is read; it must outlive what is returned
+AffFiles aff_files_beside(
+    const std::filesystem::path& path, std::vector<std::string>* opened = nullptr);
 
 } // namespace firsthit

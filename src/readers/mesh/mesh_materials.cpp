@@ -46,7 +46,7 @@ std::vector<std::string> library_names(const std::string& line, const std::files
 
 /// The first definition of a name counts.
 Library read_libraries(const CheckedMesh& checked, const std::string& name,
-    const std::filesystem::path& folder, std::vector<std::string>& warnings)
+    const std::filesystem::path& folder, Scene& scene)
 {
     Library library;
     std::unordered_set<std::string> seen;
@@ -56,10 +56,11 @@ Library read_libraries(const CheckedMesh& checked, const std::string& name,
             if (!seen.insert(file).second) continue;
             const std::filesystem::path path = folder / file;
             if (!is_file(path)) {
-                warnings.push_back(
+                scene.warnings.push_back(
                     fmt::format("{}: material library '{}' is missing", name, printable(file)));
                 continue;
             }
+            add_file(path, scene.files);
             for (MtlMaterial& mtl : read_mtl(read_whole_file(path, kMaxLibrary), path.string())) {
                 const std::string key = mtl.material.name;
                 library.try_emplace(key, FoundMaterial{std::move(mtl), path.parent_path()});
@@ -79,6 +80,7 @@ class Textures {
     {
         const auto [found, added] = number_.try_emplace(path.string(), -1);
         if (!added) return found->second;
+        add_file(path, scene_.files);
         try {
             scene_.textures.push_back(read_texture(path));
             found->second = static_cast<std::int32_t>(scene_.textures.size() - 1);
@@ -99,7 +101,7 @@ void read_materials(const CheckedMesh& checked, const std::string& name,
     const std::filesystem::path& folder, bool has_uv, Scene& scene)
 {
     Library library;
-    if (!folder.empty()) library = read_libraries(checked, name, folder, scene.warnings);
+    if (!folder.empty()) library = read_libraries(checked, name, folder, scene);
 
     Textures textures(scene);
     std::string missing;

@@ -11,7 +11,7 @@
 namespace firsthit {
 
 /// Fills the scene's materials with those of the file, in their order, and a grey one at the end;
-/// and its textures. What cannot be had gets a warning and a plain colour: a library or texture
+/// and its textures; adds the files of both to the scene's. What cannot be had gets a warning and a plain colour: a library or texture
 /// that is missing, a material that no library has.
 ///
 /// name    of the mesh file, for messages
