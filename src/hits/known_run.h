@@ -1,4 +1,4 @@
-// known_run.h - the planes of runs that do not know theirs.
+// known_run.h - the planes of runs that do not know theirs, and their sides.
 #pragma once
 
 #include "base/pure.h"
@@ -13,6 +13,19 @@
 
 namespace firsthit {
 
+/// Whether a normal n of the run's triangle, in world space, looks away from the eye. n . (p - eye) tells, p in
+/// the plane, but where the eye's own rounding to float is as large the run does.
+///
+/// n_p  n . (p - eye)
+inline bool looks_away(const HitRun& run, const glm::dvec3& n, double n_p, const glm::vec3& eye)
+{
+    const double rounding =
+        0x1p-23 * (std::abs(n.x * double(eye.x)) + std::abs(n.y * double(eye.y)) +
+                      std::abs(n.z * double(eye.z)));
+    if (std::abs(n_p) <= rounding && run.eye_side != 0) return run.eye_side > 0;
+    return n_p > 0;
+}
+
 /// The run with its plane, from the triangle's corners, in double: neither tiny nor huge
 /// triangles lose their normal to float's range. It is 0 where the triangle has no area
 /// or the eye is in its plane.
@@ -23,10 +36,10 @@ inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
     const glm::dvec3 n = glm::cross(
         glm::dvec3(world.position[corner.y]) - p0, glm::dvec3(world.position[corner.z]) - p0);
     const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    const double height = glm::dot(n, glm::dvec3(eye) - p0) / largest;
+    const double n_p0 = glm::dot(n, p0 - glm::dvec3(eye)), height = std::abs(n_p0 / largest);
     run.plane = glm::vec4(0);
-    if (std::abs(height) > 1e-30 && std::abs(height) < 1e30)
-        run.plane = glm::vec4(n / (height > 0 ? largest : -largest), std::abs(height));
+    if (height > 1e-30 && height < 1e30)
+        run.plane = glm::vec4(n / (looks_away(run, n, n_p0, eye) ? -largest : largest), height);
     return run;
 }
 

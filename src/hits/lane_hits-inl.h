@@ -6,12 +6,14 @@
 #define FIRSTHIT_HITS_LANE_HITS_INL_H_
 #endif
 
+#include "exact/careful_hit.h"
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
 #include "hits/resolve_tile.h"
 #include "visibility/raster/set_up-inl.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -25,6 +27,7 @@ using Floats = hn::Rebind<float, Doubles>;
 using DoubleLanes = hn::Vec<Doubles>;
 using FloatLanes = hn::Vec<Floats>;
 inline constexpr int kHitLanes = int(hn::MaxLanes(Doubles()));
+inline constexpr std::uint64_t kAllHitLanes = (std::uint64_t(1) << kHitLanes) - 1;
 
 /// The triangle of each lane.
 struct LanePlanes {
@@ -32,20 +35,48 @@ struct LanePlanes {
     Vector3<DoubleLanes> edge1; // u = edge1 . d / det
     Vector3<DoubleLanes> edge2;
     DoubleLanes volume; // t = volume / det
-    FloatLanes nearest; // depth of its corners, a little widened
-    FloatLanes farthest;
 };
 
-/// z0, z1, z2: the depths of its corners.
-HWY_INLINE LanePlanes lane_planes(const Vector3<DoubleLanes>& n, const Vector3<DoubleLanes>& edge1,
-    const Vector3<DoubleLanes>& edge2, DoubleLanes volume, FloatLanes z0, FloatLanes z1,
-    FloatLanes z2)
-{
-    const Floats f;
-    return {n, edge1, edge2, volume,
-        hn::Mul(hn::Min(z0, hn::Min(z1, z2)), hn::Set(f, 1 - 0x1p-20f)),
-        hn::Mul(hn::Max(z0, hn::Max(z1, z2)), hn::Set(f, 1 + 0x1p-20f))};
-}
+/// Tells the triangles of which doubles might lose more than float has, or be wrong about the eye's side:
+/// these need settle_run.
+///
+/// With R the tile's largest |X|, |Y| or 1, and z multiplied by R: let E^2 = |v1 - v0|^2 + |v2 - v0|^2, M^2 =
+/// |v0|^2 + E^2. Then the terms of det sum up to at most E^2 (exact/careful_hit.h, Plain), those of edge1 and
+/// edge2 to 2 E M and those of volume to 3.5 E M^2 / R; and det = volume / t, t <= 1.5 M / R, for rays
+/// that hit. So nothing is lost where |volume| R > 3.5 2^-24 E M^2. It is asked with 2^-21: the test's own
+/// roundings do not matter, nor how a tile's R differs from another's: settle_run changes
+/// nothing that is precise enough.
+class DoubtfulTriangles {
+  public:
+    explicit DoubtfulTriangles(const ItemTile& items)
+    {
+        const double end = items.size, x = items.x0, y = items.y0;
+        const double reach =
+            std::max({1.0, std::abs(x), std::abs(x + end), std::abs(y), std::abs(y + end)});
+        reach2_ = reach * reach;
+    }
+
+    /// A bit for each lane.
+    HWY_INLINE std::uint64_t find(const Vector3<DoubleLanes>& v0, const Vector3<DoubleLanes>& v1,
+        const Vector3<DoubleLanes>& v2, DoubleLanes volume) const
+    {
+        const Doubles d;
+        const auto e1 = sub(v1, v0), e2 = sub(v2, v0);
+        const auto reach2 = hn::Set(d, reach2_);
+        const auto flat2 = [](const Vector3<DoubleLanes>& v) {
+            return hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y));
+        };
+        const auto e_z2 = hn::MulAdd(e1.z, e1.z, hn::Mul(e2.z, e2.z));
+        const auto e_2 = hn::MulAdd(reach2, e_z2, hn::Add(flat2(e1), flat2(e2)));
+        const auto m_2 = hn::Add(hn::MulAdd(reach2, hn::Mul(v0.z, v0.z), flat2(v0)), e_2);
+        const auto large = hn::Gt(hn::Mul(hn::Mul(volume, volume), hn::Set(d, reach2_ * 0x1p42)),
+            hn::Mul(hn::Mul(m_2, m_2), e_2));
+        return kAllHitLanes & ~bits_of(d, large);
+    }
+
+  private:
+    double reach2_;
+};
 
 /// From a plane over samples (see Planes) to one in world space.
 class WorldPlanes {
@@ -106,9 +137,8 @@ struct BlockOfRays {
     }
 };
 
-/// Writes the hits of the chosen samples, bit k for sample `first` + k. Returns those whose depth
-/// lies outside their triangle's.
-HWY_INLINE std::uint64_t meet(const LanePlanes& planes, const BlockOfRays& rays, int first,
+/// Writes the hits of the chosen samples, bit k for sample `first` + k.
+HWY_INLINE void meet(const LanePlanes& planes, const BlockOfRays& rays, int first,
     std::uint64_t samples, const HitPlaces& places)
 {
     const Doubles d;
@@ -128,7 +158,7 @@ HWY_INLINE std::uint64_t meet(const LanePlanes& planes, const BlockOfRays& rays,
     };
     const auto u = weight(planes.edge1), v = weight(planes.edge2);
     const int at = rays.offset + first;
-    if (samples == (std::uint64_t(1) << kHitLanes) - 1) {
+    if (samples == kAllHitLanes) {
         hn::Store(t, f, places.t + at);
         hn::Store(u, f, places.u + at);
         hn::Store(v, f, places.v + at);
@@ -143,29 +173,37 @@ HWY_INLINE std::uint64_t meet(const LanePlanes& planes, const BlockOfRays& rays,
         keep(u, places.u + at);
         keep(v, places.v + at);
     }
-    const auto plausible = hn::And(hn::Ge(t, planes.nearest), hn::Le(t, planes.farthest));
-    return samples & ~bits_of(f, plausible);
 }
 
-/// A sample whose double depth lies outside the triangle's: its determinant lost too many digits.
-HWY_NOINLINE void repair_hit(
-    const Corners& corners, const BlockOfRays& rays, int sample, const HitPlaces& places)
+/// Makes a run right whose triangle is doubtful: hits, the eye's side and the plane.
+HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
+    const BlockOfRays& rays, HitRun& run, const HitPlaces& places)
 {
-    const glm::vec3 d = rays.direction(sample);
-    const auto [u, v] = exact_barycentrics(corners, d);
-    const auto at = std::size_t(rays.offset + sample);
-    places.t[at] = float(1 / exact_inverse_depth(corners, d));
-    places.u[at] = float(std::clamp(u, 0.0, 1.0));
-    places.v[at] = float(std::clamp(v, 0.0, 1.0));
+    const CarefulHit careful(corners);
+    run.eye_side = std::int16_t(careful.eye_side());
+    const Doubles d;
+    alignas(64) glm::vec4 plane[kHitLanes];
+    const glm::dvec3& n = careful.n();
+    world.store({hn::Set(d, n.x), hn::Set(d, n.y), hn::Set(d, n.z)}, hn::Set(d, careful.volume()),
+        plane, 0);
+    run.plane = plane[0];
+    for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
+        const int sample = std::countr_zero(rest);
+        const glm::vec3 direction = rays.direction(sample);
+        const auto at = std::size_t(rays.offset + sample);
+        const CarefulHit::Plain plain = careful.plain(direction);
+        if (!plain.depth) places.t[at] = float(careful.depth(direction));
+        if (plain.weights) continue;
+        const auto [u, v] = careful.weights(direction);
+        places.u[at] = float(std::clamp(u, 0.0, 1.0));
+        places.v[at] = float(std::clamp(v, 0.0, 1.0));
+    }
 }
 
-/// On which side of its plane a triangle has the eye.
-HWY_INLINE std::int16_t side_of(double volume, double volume_size, const auto& corners)
+/// On which side of its plane a triangle has the eye, where that is not doubtful.
+HWY_INLINE std::int16_t side_of(double volume)
 {
-    if (std::abs(volume) > 8 * kUlp * volume_size) [[likely]]
-        return volume > 0 ? 1 : -1;
-    Effort effort;
-    return std::int16_t(volume_sign(corners(), effort));
+    return volume > 0 ? 1 : -1;
 }
 
 } // namespace HWY_NAMESPACE

@@ -22,61 +22,55 @@ namespace HWY_NAMESPACE {
 struct RunPlanes {
     static constexpr std::size_t kRuns = kMostRunLanes;
     alignas(64) double n[3][kRuns], edge1[3][kRuns], edge2[3][kRuns]; // see LanePlanes
-    alignas(64) double volume[kRuns], volume_size[kRuns];
-    alignas(64) float nearest[kRuns], farthest[kRuns];
+    alignas(64) double volume[kRuns];
+    std::uint64_t doubtful = 0;         // a bit for each
     alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 };
 
-HWY_INLINE void set_up_planes(
-    const ViewMemory& view, const WorldPlanes& world, std::span<const HitRun> runs, RunPlanes& out)
+HWY_INLINE void set_up_planes(const ViewMemory& view, const WorldPlanes& world,
+    const DoubtfulTriangles& doubtful, std::span<const HitRun> runs, RunPlanes& out)
 {
     const Doubles d;
-    const Floats f;
     for (std::size_t i = 0; i < runs.size(); i += kHitLanes) {
         glm::uvec3 index[kHitLanes];
         for (std::size_t lane = 0; lane < kHitLanes; ++lane)
             index[lane] = view.index[runs[i + lane < runs.size() ? i + lane : 0].item];
         const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
                    c2 = fetch_corner(view, index, 2);
-        const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
-        const LanePlanes planes =
-            lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
+        const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
+        const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
         const auto keep = [&](const Vector3<DoubleLanes>& v, double(&to)[3][RunPlanes::kRuns]) {
             hn::Store(v.x, d, to[0] + i);
             hn::Store(v.y, d, to[1] + i);
             hn::Store(v.z, d, to[2] + i);
         };
-        keep(planes.n, out.n);
-        keep(planes.edge1, out.edge1);
-        keep(planes.edge2, out.edge2);
-        hn::Store(planes.volume, d, out.volume + i);
-        hn::Store(p.volume_size, d, out.volume_size + i);
-        hn::Store(planes.nearest, f, out.nearest + i);
-        hn::Store(planes.farthest, f, out.farthest + i);
+        keep(p.n, out.n);
+        keep(p.edge[1], out.edge1);
+        keep(p.edge[2], out.edge2);
+        hn::Store(p.volume, d, out.volume + i);
+        out.doubtful |= doubtful.find(v0, v1, v2, p.volume) << i;
         world.store(p.n, p.volume, out.plane, int(i));
     }
 }
 
 /// Hits of a block with at most kMostRunLanes runs, and the sides and planes of these.
 HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
-    const WorldPlanes& world, std::span<HitRun> runs, const HitPlaces& places)
+    const WorldPlanes& world, const DoubtfulTriangles& doubtful, std::span<HitRun> runs,
+    const HitPlaces& places)
 {
     const BlockOfRays rays(items, runs[0].block);
-    const std::uint32_t* item = items.item.data() + rays.offset;
     RunPlanes table;
-    set_up_planes(view, world, runs, table);
-    std::uint64_t covered = 0, suspect = 0;
+    set_up_planes(view, world, doubtful, runs, table);
+    std::uint64_t covered = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         HitRun& run = runs[k];
         covered |= run.samples;
-        run.eye_side = side_of(
-            table.volume[k], table.volume_size[k], [&] { return corners_of(view, run.item); });
+        run.eye_side = side_of(table.volume[k]);
         run.plane = table.plane[k];
     }
     const RunLanes lanes(runs);
-    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int first = 0; first < kBlockSamples; first += kHitLanes) {
-        const std::uint64_t samples = covered >> first & kAll;
+        const std::uint64_t samples = covered >> first & kAllHitLanes;
         if (samples == 0) continue;
         const auto pick = [&](const double(&from)[RunPlanes::kRuns]) {
             return DoubleLanes{lanes.of_samples(first, from)};
@@ -84,14 +78,15 @@ HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
         const auto pick3 = [&](const double(&from)[3][RunPlanes::kRuns]) {
             return Vector3<DoubleLanes>{pick(from[0]), pick(from[1]), pick(from[2])};
         };
-        const LanePlanes planes{pick3(table.n), pick3(table.edge1), pick3(table.edge2),
-            pick(table.volume), FloatLanes{lanes.of_eight(first, table.nearest)},
-            FloatLanes{lanes.of_eight(first, table.farthest)}};
-        suspect |= meet(planes, rays, first, samples, places) << first;
+        const LanePlanes planes{
+            pick3(table.n), pick3(table.edge1), pick3(table.edge2), pick(table.volume)};
+        meet(planes, rays, first, samples, places);
     }
-    for (; suspect; suspect &= suspect - 1) { // seldom
-        const int sample = std::countr_zero(suspect);
-        repair_hit(corners_of(view, item[sample]), rays, sample, places);
+    // Lanes beyond the last run have the first one's triangle.
+    for (std::uint64_t rest = table.doubtful & ((std::uint64_t(1) << runs.size()) - 1); rest;
+         rest &= rest - 1) {
+        HitRun& run = runs[std::size_t(std::countr_zero(rest))]; // seldom
+        settle_run(corners_of(view, run.item), world, rays, run, places);
     }
 }
 #endif

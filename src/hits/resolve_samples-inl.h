@@ -68,19 +68,19 @@ HWY_INLINE Vector3<DoubleLanes> wide(const Vector3<FloatLanes>& v)
 
 /// Hits of all samples of a block, and the sides and planes of its runs.
 HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
-    const WorldPlanes& world, std::span<HitRun> runs, const HitPlaces& places)
+    const WorldPlanes& world, const DoubtfulTriangles& doubtful, std::span<HitRun> runs,
+    const HitPlaces& places)
 {
     const Doubles d;
     const BlockOfRays rays(items, runs[0].block);
     const std::uint32_t* item = items.item.data() + rays.offset;
-    std::uint64_t covered = 0, suspect = 0;
+    std::uint64_t covered = 0, open = 0;
     for (const HitRun& run : runs) covered |= run.samples;
 
-    alignas(64) double volume[kBlockSamples], volume_size[kBlockSamples];
+    alignas(64) double volume[kBlockSamples];
     alignas(64) glm::vec4 plane[kBlockSamples];
-    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
     for (int first = 0; first < kBlockSamples; first += kHitLanes) {
-        const std::uint64_t samples = covered >> first & kAll;
+        const std::uint64_t samples = covered >> first & kAllHitLanes;
         if (samples == 0) continue;
         glm::uvec3 index[kHitLanes];
         for (int lane = 0; lane < kHitLanes; ++lane) {
@@ -89,24 +89,22 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
         }
         const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
                    c2 = fetch_corner(view, index, 2);
-        const Planes<DoubleLanes> p = planes_of(wide(c0), wide(c1), wide(c2));
-        const LanePlanes planes =
-            lane_planes(p.n, p.edge[1], p.edge[2], p.volume, c0.z, c1.z, c2.z);
+        const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
+        const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
         hn::Store(p.volume, d, volume + first);
-        hn::Store(p.volume_size, d, volume_size + first);
         world.store(p.n, p.volume, plane, first);
-        suspect |= meet(planes, rays, first, samples, places) << first;
-    }
-    for (; suspect; suspect &= suspect - 1) { // seldom
-        const int sample = std::countr_zero(suspect);
-        repair_hit(corners_of(view, item[sample]), rays, sample, places);
+        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, first, samples, places);
+        open |= (doubtful.find(v0, v1, v2, p.volume) & samples) << first;
     }
     for (HitRun& run : runs) {
         const int sample = std::countr_zero(run.samples);
-        run.eye_side = side_of(
-            volume[sample], volume_size[sample], [&] { return corners_of(view, run.item); });
+        run.eye_side = side_of(volume[sample]);
         run.plane = plane[sample];
     }
+    if (open == 0) [[likely]]
+        return;
+    for (HitRun& run : runs)
+        if (run.samples & open) settle_run(corners_of(view, run.item), world, rays, run, places);
 }
 
 } // namespace HWY_NAMESPACE

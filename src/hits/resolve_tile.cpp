@@ -43,7 +43,7 @@ struct RunBatch {
     alignas(64) double edge1[3][kRuns];
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns];
-    alignas(64) double volume_size[kRuns];
+    std::uint64_t doubtful = 0;         // a bit for each: see DoubtfulTriangles
     alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 
     Corners corners(int i) const
@@ -56,13 +56,11 @@ struct RunBatch {
     LanePlanes planes(int i) const
     {
         const Doubles d;
-        const Floats f;
         const auto same = [&](const double(&v)[3][kRuns]) {
             return Vector3<DoubleLanes>{
                 hn::Set(d, v[0][i]), hn::Set(d, v[1][i]), hn::Set(d, v[2][i])};
         };
-        return lane_planes(same(n), same(edge1), same(edge2), hn::Set(d, volume[i]),
-            hn::Set(f, corner[2][i]), hn::Set(f, corner[5][i]), hn::Set(f, corner[8][i]));
+        return {same(n), same(edge1), same(edge2), hn::Set(d, volume[i])};
     }
 };
 
@@ -113,8 +111,11 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
     return std::size_t(next - places.run);
 }
 
-void set_up_runs(const ViewMemory& view, const WorldPlanes& world, RunBatch& batch)
+void set_up_runs(const ViewMemory& view, const WorldPlanes& world,
+    const DoubtfulTriangles& doubtful, RunBatch& batch)
 {
+    static_assert(kRuns == 64, "a bit for each");
+    batch.doubtful = 0;
     for (int i = 0; i < batch.count; ++i) {
         const glm::uvec3 index = view.index[batch.run[i]->item];
         for (int k = 0; k < 3; ++k) {
@@ -143,31 +144,28 @@ void set_up_runs(const ViewMemory& view, const WorldPlanes& world, RunBatch& bat
         store(p.edge[1], batch.edge1);
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
-        hn::Store(p.volume_size, d, batch.volume_size + i);
+        batch.doubtful |= doubtful.find(v0, v1, v2, p.volume) << i;
         world.store(p.n, p.volume, batch.plane, i);
     }
 }
 
 /// Hits of the batch's runs, their sides and planes; the batch is empty then.
 void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPlanes& world,
-    RunBatch& batch, const HitPlaces& places)
+    const DoubtfulTriangles& doubtful, RunBatch& batch, const HitPlaces& places)
 {
-    set_up_runs(view, world, batch);
-    constexpr std::uint64_t kAll = (std::uint64_t(1) << kHitLanes) - 1;
+    set_up_runs(view, world, doubtful, batch);
     for (int i = 0; i < batch.count; ++i) {
         HitRun& run = *batch.run[i];
-        run.eye_side =
-            side_of(batch.volume[i], batch.volume_size[i], [&] { return batch.corners(i); });
+        run.eye_side = side_of(batch.volume[i]);
         run.plane = batch.plane[i];
         const BlockOfRays rays(items, run.block);
         const LanePlanes planes = batch.planes(i);
-        std::uint64_t suspect = 0;
         for (int first = 0; first < kBlockSamples; first += kHitLanes) {
-            const std::uint64_t samples = run.samples >> first & kAll;
-            if (samples != 0) suspect |= meet(planes, rays, first, samples, places) << first;
+            const std::uint64_t samples = run.samples >> first & kAllHitLanes;
+            if (samples != 0) meet(planes, rays, first, samples, places);
         }
-        for (; suspect; suspect &= suspect - 1) // seldom
-            repair_hit(batch.corners(i), rays, std::countr_zero(suspect), places);
+        if (batch.doubtful >> i & 1) [[unlikely]]
+            settle_run(batch.corners(i), world, rays, run, places);
     }
     batch.count = 0;
 }
@@ -204,6 +202,7 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
     const std::size_t count = find_runs(items, places);
     AskAhead ahead(view, {places.run, count});
     const WorldPlanes world(view.pencil);
+    const DoubtfulTriangles doubtful(items);
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {
@@ -213,20 +212,20 @@ std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlac
         if (runs.size() >= kManyRuns) ahead.go_on(end);
 #if HWY_TARGET == HWY_AVX3
         if (runs.size() >= kSomeRuns && runs.size() <= kMostRunLanes) {
-            resolve_runs(view, items, world, runs, places);
+            resolve_runs(view, items, world, doubtful, runs, places);
             continue;
         }
 #endif
         if (runs.size() >= kManyRuns) {
-            resolve_samples(view, items, world, runs, places);
+            resolve_samples(view, items, world, doubtful, runs, places);
             continue;
         }
         for (HitRun& run : runs) {
             batch.run[batch.count++] = &run;
-            if (batch.count == kRuns) resolve_batch(view, items, world, batch, places);
+            if (batch.count == kRuns) resolve_batch(view, items, world, doubtful, batch, places);
         }
     }
-    resolve_batch(view, items, world, batch, places);
+    resolve_batch(view, items, world, doubtful, batch, places);
     return count;
 }
 

@@ -42,8 +42,10 @@ struct HitMemory {
 /// Prepares the memory; allocates where there are more or larger tiles than before.
 void resize(HitMemory& memory, int tile_size, std::size_t tiles);
 
-/// Shoots one ray per sample at the triangle that the item buffer names. t, u and v come from one
-/// division in double, rounded once: t is within one unit in the last place of the exact depth.
+/// Shoots one ray per sample at the triangle that the item buffer names, which it hits. t, u and v come from
+/// one division in double, rounded once, or where that could lose too much from exact sums: t is within one
+/// unit in the last place of the exact depth, u and v are within 2^-24, and eye_side is exact,
+/// whatever the triangle.
 /// The result points into `places`.
 ///
 /// source  Robert and Schoepke 2006, section 4.1 (one lookup, one intersection test)

@@ -46,12 +46,6 @@ class RunLanes {
             _mm_loadl_epi64(reinterpret_cast<const __m128i*>(number_ + first)));
         return _mm512_permutex2var_pd(_mm512_load_pd(value), number, _mm512_load_pd(value + 8));
     }
-    HWY_INLINE __m256 of_eight(int first, const float (&value)[kMostRunLanes]) const
-    {
-        const __m256i number = _mm256_cvtepu8_epi32(
-            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(number_ + first)));
-        return _mm256_permutex2var_ps(_mm256_load_ps(value), number, _mm256_load_ps(value + 8));
-    }
 
     /// Of the samples [first, first + 16).
     HWY_INLINE __m512 of_samples(int first, __m512 value) const

@@ -121,8 +121,7 @@ HWY_NOINLINE void find_geometric(
     const TileShade& tile, std::span<const HitRun> runs, BlockSurface& surface)
 {
     for (const HitRun& run : runs)
-        spread_geometric(
-            geometric_normal(run_plane(tile.arrays, run.item, tile.hits.frame)), run, surface);
+        spread_geometric(geometric_normal(tile.arrays, run, tile.hits.frame), run, surface);
 }
 
 /// Samples of a block that share a material.

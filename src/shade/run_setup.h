@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/pure.h"
-#include "hits/hit_tile.h"
+#include "hits/known_run.h"
 
 #include <firsthit/scene.h>
 
@@ -58,7 +58,6 @@ struct RunPlane {
     glm::dvec3 e2{0};
     glm::dvec3 n{0}; // e1 x e2
     double n_p0 = 0; // n . p0_eye
-    double side = 1; // 1 where n looks towards the eye, else -1
 };
 
 FIRSTHIT_PURE RunPlane run_plane(
@@ -72,15 +71,18 @@ FIRSTHIT_PURE RunPlane run_plane(
     plane.e2 = glm::dvec3(arrays.position[plane.corner.z]) - p0;
     plane.n = glm::cross(plane.e1, plane.e2);
     plane.n_p0 = glm::dot(plane.n, plane.p0_eye);
-    plane.side = plane.n_p0 > 0 ? -1 : 1;
     return plane;
 }
 
 /// Unit, towards the eye; 0 where the triangle has no area.
-FIRSTHIT_PURE glm::vec3 geometric_normal(const RunPlane& plane)
+FIRSTHIT_PURE glm::vec3 geometric_normal(
+    const ShadeArrays& arrays, const HitRun& run, const TileFrame& frame)
 {
+    const RunPlane plane = run_plane(arrays, run.item, frame);
     const double length = std::sqrt(glm::dot(plane.n, plane.n));
-    return length > 0 ? glm::vec3(plane.n * (plane.side / length)) : glm::vec3(0);
+    if (!(length > 0)) return glm::vec3(0);
+    const double side = looks_away(run, plane.n, plane.n_p0, frame.eye) ? -1 : 1;
+    return glm::vec3(plane.n * (side / length));
 }
 
 /// Of the side that the eye is on, not unit; 0 where the world has none. Normals go by the plane's

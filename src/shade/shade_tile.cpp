@@ -158,9 +158,9 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         }
         const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         if (!texture && !planes) continue;
-        const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
-        if (planes) spread_geometric(geometric_normal(plane), run, surface);
+        if (planes) spread_geometric(geometric_normal(arrays, run, tile.hits.frame), run, surface);
         if (!texture && !with_uv) continue;
+        const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
         RunGradients gradients;
         if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);

@@ -2,6 +2,8 @@
 #include "cpu/film_planes.h"
 
 #include "film/film_size.h"
+#include "items.h"
+#include "scenes.h"
 
 #include <firsthit/render.h>
 
@@ -75,6 +77,48 @@ TEST(FilmPlanes, ColourIsTheSameWhetherOrNotThereAreOtherPlanes)
             EXPECT_EQ(film.color.value, with_planes.color.value) << int(shadows) << " " << step;
         }
     }
+}
+
+/// Seen from `height` above or below it, at coordinates where float has steps of 6 cm.
+struct FarFloor {
+    test::TestWorld world;
+    View view;
+
+    FarFloor(double height, bool reversed)
+    {
+        const glm::vec3 a(999990, 1000000, 999990), b(1000020, 1000000, 999990),
+            c(999990, 1000000, 1000020);
+        if (reversed)
+            world.add(a, b, c);
+        else
+            world.add(a, c, b);
+        world.finish();
+        for (glm::vec3& n : world.world.normal) n = {0, 1, 0};
+        view.width = view.height = 16;
+        view.camera = {.eye = {999995, 1000000 + height, 999995},
+            .direction = {1, -0.1 * (height > 0 ? 1 : -1), 1}};
+    }
+};
+
+TEST(FilmPlanes, NormalsLookAtAnEyeThatIsNearerToTheirPlaneThanFloatsSteps)
+{
+    for (const double height : {0.03, -0.03, 0.001, -1e-5, 0.05, -2.0})
+        for (const bool reversed : {false, true}) {
+            SCOPED_TRACE(height);
+            const FarFloor floor(height, reversed);
+            const Film film = test::render_planes(
+                floor.world.world, floor.view, {Aov::item, Aov::normal, Aov::geometric_normal})
+                                  .film;
+            int hits = 0;
+            for (std::size_t i = 0; i < film.item.size(); ++i) {
+                if (film.item[i] == kNoItem) continue;
+                ++hits;
+                const float up = height > 0 ? 1.0f : -1.0f;
+                EXPECT_EQ(film[Aov::geometric_normal].value[3 * i + 1], up);
+                EXPECT_GT(film[Aov::normal].value[3 * i + 1] * up, 0);
+            }
+            EXPECT_GT(hits, 30);
+        }
 }
 
 } // namespace

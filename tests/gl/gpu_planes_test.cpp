@@ -2,8 +2,11 @@
 #include "gl/gpu_pictures.h"
 
 #include "lights.h"
+#include "scenes.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace firsthit {
 namespace {
@@ -77,6 +80,44 @@ TEST_F(GpuPlanes, AreOfEveryPixelWherePicturesAreInterleaved)
     gl::GpuFrame frame(*context);
     render_gpu(frame);
     EXPECT_EQ(gpu_film.item, cpu_film.item);
+}
+
+class GpuNearPlanes : public test::OnGpu {};
+
+TEST_F(GpuNearPlanes, NormalsLookAtAnEyeThatIsNextToTheirPlane)
+{
+    if (!context) return;
+    settings.color = false;
+    settings.shadows = Shadows::none;
+    settings.aovs = {Aov::item, Aov::geometric_normal};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-1, 1);
+    std::size_t hits = 0;
+    for (int round = 0; round < 40; ++round) {
+        // A triangle of some hundred metres, the eye a hundredth of a millimetre from it.
+        const auto direction = [&] {
+            return glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+        };
+        const glm::dvec3 n = direction(), along = glm::normalize(glm::cross(n, direction())),
+                         across = glm::cross(n, along);
+        const glm::dvec3 middle = 10.0 * direction();
+        test::TestWorld triangle;
+        triangle.add(middle - 200.0 * along - 150.0 * across,
+            middle + 220.0 * along - 130.0 * across, middle + 180.0 * across);
+        world = triangle.finish();
+        view.width = view.height = 32;
+        const double side = round % 2 ? 1 : -1;
+        view.camera = {
+            .eye = middle + side * 1e-5 * n, .direction = along - side * 0.001 * n, .up = n};
+        gl::GpuFrame frame(*context);
+        const test::CpuPicture cpu(world, view, settings);
+        render_gpu(frame);
+        const std::vector<float>&a = gpu_film[Aov::geometric_normal].value,
+              &b = cpu.film[Aov::geometric_normal].value;
+        EXPECT_EQ(test::count_different(a, b, 1e-4f), 0u);
+        hits += std::size_t(std::count(item.begin(), item.end(), 0u));
+    }
+    EXPECT_GT(hits, 1000u);
 }
 
 } // namespace

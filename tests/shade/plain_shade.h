@@ -76,7 +76,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     const int y = static_cast<int>(run.block) / blocks_x * kBlock + block_y(sample);
     const real3 direction = ray_direction(hits.frame, static_cast<float>(x), static_cast<float>(y));
     const real3 position = hit_position(from_glm(hits.frame.eye), direction, t);
-    const real3 geometric = from_glm(geometric_normal(run_plane));
+    const real3 geometric = from_glm(geometric_normal(arrays, run, hits.frame));
     const real3 to_eye = unit(real3(0, 0, 0) - direction);
     const real3 normal = visible_normal(
         from_glm(run_normals.at0) + (from_glm(run_normals.to1) * u + from_glm(run_normals.to2) * v),
