@@ -164,8 +164,11 @@ struct World {
 /// How files become scenes.
 struct LoadSettings {
     double crease_angle_rad = 3.14159265358979323846; // smooth normals across smaller angles
-    int sphere_segments = 32; // around the equator; half as many from pole to pole
+    int sphere_segments = 32; // around the equator; half as many from pole to pole, 2 at least
     int cone_segments = 32;   // around the axis
+
+    static constexpr int kMinSegments = 3; // of both
+    static constexpr int kMaxSegments = 4096;
 };
 
 /// Reads a scene: a file (.aff .nff .ply .stl .obj), or builtin:torus, builtin:robots,

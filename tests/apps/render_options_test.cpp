@@ -46,6 +46,13 @@ TEST(RenderOptions, EveryOptionArrives)
     EXPECT_EQ(options.scene.load.cone_segments, 8);
 }
 
+TEST(RenderOptions, TakesAllSegmentsThatScenesTake)
+{
+    for (const int n : {LoadSettings::kMinSegments, LoadSettings::kMaxSegments})
+        for (const char* option : {"--sphere-segments ", "--cone-segments "})
+            EXPECT_NO_THROW(parse("s -o a.png " + (option + std::to_string(n))));
+}
+
 TEST(RenderOptions, WhatIsInterpolatedArrives)
 {
     const Settings plain = render_settings(parse("s -o a.png"));
@@ -80,10 +87,10 @@ TEST(RenderOptions, WrongValuesAreNamedByTheirOption)
         "--samples: '17' is no integer from 1 to 16");
     EXPECT_EQ(message_of<UsageError>([] { parse("s -o a.png --multisample lazy7"); }),
         "--multisample: 'lazy7' is not accepted: none, lazy3, lazy5, full3, full5 or exact");
-    for (const char* line :
-        {"s -o a.png --size 0x0", "s -o a.png --interleave 0", "s -o a.png --threads -1",
-            "s -o a.png --tile-size 12", "s -o a.png --fov 180", "s -o a.png --aov depth",
-            "s -o a.png --crease-angle 181", "s -o a.png --sphere-segments 2"})
+    for (const char* line : {"s -o a.png --size 0x0", "s -o a.png --interleave 0",
+             "s -o a.png --threads -1", "s -o a.png --tile-size 12", "s -o a.png --fov 180",
+             "s -o a.png --aov depth", "s -o a.png --crease-angle 181",
+             "s -o a.png --sphere-segments 2", "s -o a.png --cone-segments 4097"})
         EXPECT_THROW(parse(line), UsageError) << line;
 }
 

@@ -19,10 +19,15 @@ double parse_crease_angle(const std::string& text)
     throw UsageError(fmt::format("'{}' is no angle from 0 to 180 degrees", text));
 }
 
-// A sphere of 1024 segments has a million triangles.
 int parse_segments(const std::string& text)
 {
-    return parse_integer(text, 3, 1024);
+    return parse_integer(text, LoadSettings::kMinSegments, LoadSettings::kMaxSegments);
+}
+
+std::string segments_help(const char* what)
+{
+    return fmt::format("Segments of {}, {} to {}; default 32", what, LoadSettings::kMinSegments,
+        LoadSettings::kMaxSegments);
 }
 
 } // namespace
@@ -35,9 +40,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options)
     add_parsed(app, "--crease-angle", options.load.crease_angle_rad, parse_crease_angle, "DEG",
         "Smooth the normals of files that have none across smaller angles; default 180");
     add_parsed(app, "--sphere-segments", options.load.sphere_segments, parse_segments, "N",
-        "Segments of a sphere around its equator, 3 to 1024; default 32");
+        segments_help("a sphere around its equator"));
     add_parsed(app, "--cone-segments", options.load.cone_segments, parse_segments, "N",
-        "Segments of a cone around its axis, 3 to 1024; default 32");
+        segments_help("a cone around its axis"));
 }
 
 Scene load(const SceneOptions& options)

@@ -8,6 +8,7 @@
 
 #include <firsthit/error.h>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -27,9 +28,6 @@ namespace {
 
 // Stops files that include each other twice, twice, twice ...
 constexpr std::size_t kMaxIncludes = 100'000;
-
-constexpr int kMinSegments = 4;
-constexpr int kMaxSegments = 4096;
 
 using Read = void (*)(Lexer&, State&);
 
@@ -238,9 +236,9 @@ Scene parse_aff(const std::string& name, std::string_view text, const AffFiles& 
     const LoadSettings& settings, std::vector<AffMeshRange>* meshes)
 {
     for (const int segments : {settings.sphere_segments, settings.cone_segments})
-        if (segments < aff::kMinSegments || segments > aff::kMaxSegments)
-            throw ArgumentError(
-                "spheres and cones have 4 to 4096 segments, not " + std::to_string(segments));
+        if (segments < LoadSettings::kMinSegments || segments > LoadSettings::kMaxSegments)
+            throw ArgumentError(fmt::format("spheres and cones have {} to {} segments, not {}",
+                LoadSettings::kMinSegments, LoadSettings::kMaxSegments, segments));
     return aff::Parser(name, text, files, settings, meshes).parse();
 }
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,7 +67,7 @@ void turn_inside_out(Facets& facets)
 Facets tessellate_sphere(const glm::dvec3& center, double radius, int segments)
 {
     const std::vector<glm::dvec2> around = circle(segments);
-    const int bands = segments / 2;
+    const int bands = std::max(2, segments / 2); // one alone has no ring between the poles
     Facets facets;
 
     // From the north pole down: one vertex, rings, one vertex.

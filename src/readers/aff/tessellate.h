@@ -22,8 +22,8 @@ struct Facets {
 };
 
 /// The vertices lie on the sphere. A negative radius gives its inside.
-/// segments  4 or more around the equator, half of it from pole to pole: segments * (segments - 2)
-///           triangles where it is even
+/// segments  3 or more around the equator, half of it from pole to pole but 2 at least:
+///           segments * (segments - 2) triangles where it is even, 6 for 3 segments
 Facets tessellate_sphere(const glm::dvec3& center, double radius, int segments);
 
 /// A cone or cylinder without its ends: 2 * segments triangles, or half of it where a radius is 0,
@@ -34,6 +34,7 @@ struct Cone {
     glm::dvec3 apex{0, 1, 0};
     double apex_radius = 0;
 };
+/// segments  3 or more
 Facets tessellate_cone(const Cone& cone, int segments);
 
 } // namespace firsthit::aff

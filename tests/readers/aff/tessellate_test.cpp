@@ -42,9 +42,23 @@ TEST(Tessellate, GivesSpheresTheDocumentedNumberOfTriangles)
             aff::tessellate_sphere({0, 0, 0}, 1, n).triangle.size(), std::size_t(n * (n - 2)));
 }
 
+TEST(Tessellate, MakesTwoPyramidsOfThreeSegments)
+{
+    const Facets sphere = aff::tessellate_sphere({0, 0, 0}, 1, 3);
+    EXPECT_EQ(sphere.triangle.size(), 6u); // three above the equator, three below
+    EXPECT_EQ(sphere.position.size(), 5u);
+    EXPECT_GT(worst_facing(sphere), 0.4f);
+    const Facets prism = aff::tessellate_cone({.base_radius = 1, .apex_radius = 1}, 3);
+    EXPECT_EQ(prism.triangle.size(), 6u);
+    EXPECT_GT(worst_facing(prism), 0.49f);
+    const LoadSettings settings = {.sphere_segments = 3, .cone_segments = 3};
+    EXPECT_EQ(scene_of("s 0 0 0 1", {}, settings).triangle_count(), 6u);
+    EXPECT_EQ(scene_of("c 0 0 0 1 0 1 0 0", {}, settings).triangle_count(), 3u);
+}
+
 TEST(Tessellate, ClosesSpheres)
 {
-    for (const int n : {4, 5, 32}) {
+    for (const int n : {3, 4, 5, 32}) {
         const auto edges = edges_of(aff::tessellate_sphere({0, 0, 0}, 1, n));
         for (const auto& [edge, uses] : edges) {
             EXPECT_EQ(uses, 1);
@@ -123,7 +137,7 @@ TEST(Tessellate, LeavesOutAConeWithoutRadiiAndSaysSo)
 
 TEST(Tessellate, RefusesNumbersOfSegmentsOutOfRange)
 {
-    for (const int n : {-1, 0, 3, 4097}) {
+    for (const int n : {-1, 0, 2, 4097}) {
         EXPECT_THROW(scene_of(kTriangle, {}, {.sphere_segments = n}), ArgumentError);
         EXPECT_THROW(scene_of(kTriangle, {}, {.cone_segments = n}), ArgumentError);
     }
