@@ -1,12 +1,12 @@
 // tasks.h - runs loops on a fixed number of threads.
 #pragma once
 
+#include "base/process_owned.h"
 #include "base/thread_pool.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <memory>
 #include <thread>
 
 namespace firsthit {
@@ -17,7 +17,7 @@ class Tasks {
     /// threads  0: one for each core
     explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores())
     {
-        if (threads_ > 1) pool_ = std::make_unique<ThreadPool>(threads_ - 1);
+        if (threads_ > 1) pool_ = make_process_owned<ThreadPool>(threads_ - 1);
     }
 
     int threads() const { return threads_; }
@@ -59,7 +59,7 @@ class Tasks {
     static int cores() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
     int threads_;
-    std::unique_ptr<ThreadPool> pool_; // null: the caller's thread is all there is
+    ProcessOwned<ThreadPool> pool_; // null: the caller's thread is all there is
 };
 
 } // namespace firsthit

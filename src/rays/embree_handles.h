@@ -1,5 +1,9 @@
 // embree_handles.h - what Embree hands out, released in order.
+//
+// A child after fork() leaks it: Embree's threads are not there.
 #pragma once
+
+#include "base/process_owned.h"
 
 #include <firsthit/error.h>
 
@@ -18,6 +22,7 @@ struct EmbreeHandles {
     EmbreeHandles& operator=(const EmbreeHandles&) = delete;
     ~EmbreeHandles()
     {
+        if (!home_.is_this()) return;
         if (geometry) rtcReleaseGeometry(geometry);
         if (scene) rtcReleaseScene(scene);
         if (device) rtcReleaseDevice(device);
@@ -29,6 +34,9 @@ struct EmbreeHandles {
         if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
             throw DeviceError(fmt::format("Embree failed with error {}", int(error)));
     }
+
+  private:
+    HomeProcess home_;
 };
 
 } // namespace firsthit

@@ -1,5 +1,6 @@
 // compare_engines.cpp - holds the engines on OpenGL against the cpu engine.
 #include "base/instruction_set.h"
+#include "base/process_owned.h"
 #include "base/srgb.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -68,7 +69,7 @@ struct EngineComparer::Impl {
     ViewMemory eye; // corners
     std::string device;
 #ifdef FIRSTHIT_GL
-    std::unique_ptr<OpenGlEngines> opengl;
+    ProcessOwned<OpenGlEngines> opengl;
 #endif
 };
 
@@ -77,7 +78,8 @@ struct EngineComparer::Impl {
 void EngineComparer::Impl::render_engine(
     const World& world, const View& view, const Settings& settings, Stats& stats)
 {
-    if (!opengl) opengl = std::make_unique<OpenGlEngines>();
+    if (!opengl) opengl = make_process_owned<OpenGlEngines>();
+    if (!opengl.get_deleter().is_home()) gl::refuse_after_fork();
     device = opengl->device();
     if (settings.engine == Engine::gpu)
         opengl->render_gpu(world, view, settings, tasks, engine_film, stats);

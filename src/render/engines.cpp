@@ -21,7 +21,8 @@ Engines::~Engines() = default;
 OpenGlEngines& Engines::opengl()
 {
 #ifdef FIRSTHIT_GL
-    if (!opengl_) opengl_ = std::make_unique<OpenGlEngines>();
+    if (!opengl_) opengl_ = make_process_owned<OpenGlEngines>();
+    if (!opengl_.get_deleter().is_home()) gl::refuse_after_fork();
     return *opengl_;
 #else
     throw DeviceError("this build has no OpenGL (FIRSTHIT_BUILD_GL=OFF)");

@@ -1,12 +1,13 @@
 // engines.h - which engine makes a frame.
 #pragma once
 
+#include "base/process_owned.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
 
 #include <firsthit/render.h>
 
-#include <memory>
+#include <string>
 
 namespace firsthit {
 
@@ -37,7 +38,7 @@ class Engines {
 
     FrameMemory memory_;
     Settings settings_; // of the frame, nothing automatic; its memory is kept
-    std::unique_ptr<OpenGlEngines> opengl_;
+    ProcessOwned<OpenGlEngines> opengl_;
     EngineInfo info_;
     std::string refusal_; // why there is no OpenGL for Engine::automatic; it is asked once
 };

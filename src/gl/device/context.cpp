@@ -1,6 +1,8 @@
 // context.cpp - OpenGL 4.5 core without a display.
 #include "gl/device/context.h"
 
+#include "base/process_owned.h"
+
 #include <firsthit/error.h>
 
 #include <epoxy/egl.h>
@@ -157,9 +159,16 @@ bool is_hardware_renderer(const std::string& renderer)
     return true;
 }
 
+void refuse_after_fork()
+{
+    throw DeviceError("OpenGL: it was used before fork(), so the child process cannot use it");
+}
+
 Context::Context()
 {
     find_libraries();
+    static const HomeProcess first; // EGL has one display for the whole process
+    if (!first.is_this()) refuse_after_fork();
     const char* const client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has_word(client, "EGL_EXT_platform_base"))
         throw DeviceError("OpenGL: EGL has no driver, or none that can do without a display "

@@ -27,7 +27,8 @@ bool is_hardware_renderer(const std::string& renderer);
 /// Takes the first device that has a hardware renderer; else Mesa's surfaceless platform.
 class Context {
   public:
-    /// throws  DeviceError: no EGL, no platform, no OpenGL 4.5; names driver and version
+    /// throws  DeviceError: no EGL, no platform, no OpenGL 4.5; names driver and version. Also in a
+    ///         child after fork() whose parent had a context
     Context();
     ~Context();
     Context(const Context&) = delete;
@@ -45,6 +46,10 @@ class Context {
     ContextInfo info_;
     std::string refusal_; // why the last display was not taken
 };
+
+/// Drivers keep threads and locks that a child after fork() lacks.
+/// throws  DeviceError, always
+[[noreturn]] void refuse_after_fork();
 
 /// While it lives, the context is current on this thread; then what was current before is again.
 class Current {
