@@ -67,7 +67,7 @@ ThreadPool::ThreadPool(int helpers)
 ThreadPool::~ThreadPool()
 {
     ends_.store(true, std::memory_order_relaxed);
-    state_.fetch_add(kNextLoop, std::memory_order_release);
+    state_.fetch_add(kNextLoop);
     state_.notify_all();
     for (std::thread& helper : helpers_) helper.join();
 }
@@ -78,7 +78,7 @@ void ThreadPool::run(Work work)
     work_ = work;
     left_.store(0, std::memory_order_relaxed);
     const std::uint32_t loop = (number(state_.load(std::memory_order_relaxed)) + 1) * kNextLoop;
-    state_.store(loop + kOpen, std::memory_order_release);
+    state_.store(loop + kOpen); // in one order with the count of sleepers that notify_all reads
     state_.notify_all();
     do_work(0);
     const std::uint32_t all = came_in(state_.fetch_and(~kOpen, std::memory_order_acq_rel));
@@ -101,7 +101,7 @@ void ThreadPool::help(std::size_t worker)
         last = loop;
         if (!enter(loop)) continue;
         do_work(worker);
-        left_.fetch_add(1, std::memory_order_acq_rel);
+        left_.fetch_add(1);
         left_.notify_one();
     }
 }

@@ -13,7 +13,10 @@ namespace firsthit {
 
 /// Threads that take part in whatever the caller's thread runs. After each loop they stay awake for
 /// a moment: a frame is a dozen loops, some of a tenth of a millisecond, and to wake a thread takes
-/// a quarter of that.
+/// a quarter of that. Then they sleep in the kernel until the next loop.
+///
+/// After fork() the child has no helpers: there run() works on the caller's thread alone, and the
+/// destructor must not be called (see process_owned.h).
 class ThreadPool {
   public:
     /// What everybody who takes part calls once, with its number.
