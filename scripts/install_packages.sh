@@ -3,8 +3,8 @@
 # Usage: install_packages.sh [build] [ci] [scenes]. Without a word: build.
 set -euo pipefail
 
-build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libassimp-dev
-    libpng-dev libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
+build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
+    libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
     nlohmann-json3-dev libepoxy-dev libegl1 libgl1 libgl1-mesa-dri"
 ci="clang-format-14 clang-14 libclang-rt-14-dev glslang-tools"
 scenes="npm ca-certificates"

@@ -24,8 +24,8 @@ std::errc read(std::string_view word, Number& value)
     return stop == end ? error : std::errc::invalid_argument;
 }
 
-/// Whether a number that no double holds is too small for one, not too large: from the place of its
-/// first digit that counts, before or after the point, and its exponent.
+/// Whether a number that no float or double holds is too small for it, not too large: from the place
+/// of its first digit that counts, before or after the point, and its exponent.
 bool is_tiny(std::string_view number)
 {
     const std::size_t e = std::min(number.find_first_of("eE"), number.size());
@@ -40,17 +40,27 @@ bool is_tiny(std::string_view number)
     return place + static_cast<double>(value) < 0;
 }
 
+template <class Real>
+std::optional<Real> parse_real(std::string_view word)
+{
+    word = without_plus(word);
+    Real value = 0;
+    const std::errc error = read(word, value);
+    if (error == std::errc::invalid_argument) return {};
+    if (error != std::errc::result_out_of_range) return value;
+    if (!is_tiny(word)) return std::numeric_limits<Real>::infinity();
+    return word[0] == '-' ? -Real(0) : Real(0);
+}
+
 } // namespace
 
 std::optional<double> parse_number(std::string_view word)
 {
-    word = without_plus(word);
-    double value = 0;
-    const std::errc error = read(word, value);
-    if (error == std::errc::invalid_argument) return {};
-    if (error == std::errc::result_out_of_range)
-        return is_tiny(word) ? 0.0 : std::numeric_limits<double>::infinity();
-    return value;
+    return parse_real<double>(word);
+}
+std::optional<float> parse_float(std::string_view word)
+{
+    return parse_real<float>(word);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word)

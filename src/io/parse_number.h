@@ -8,8 +8,12 @@
 namespace firsthit {
 
 /// The whole word as a number; a plus may stand in front. Nothing where it is none. Too small for a
-/// double is 0, too large is +inf, of either sign; "inf" and "nan" are numbers that are not finite.
+/// double is 0 of its sign, too large is +inf, of either sign; "inf" and "nan" are numbers that are not finite.
 std::optional<double> parse_number(std::string_view word);
+
+/// The same as a float, rounded once: float(double) can be off by a unit in the last place. Too small
+/// is 0 of its sign.
+std::optional<float> parse_float(std::string_view word);
 
 /// The same for whole numbers; nothing also where 64 bits do not hold it.
 std::optional<std::int64_t> parse_integer(std::string_view word);

@@ -81,13 +81,12 @@ std::string_view TextCursor::rest_of_line()
 float TextCursor::number(std::string_view what)
 {
     if (next_word().empty()) fail(fmt::format("the line ends before {}", what));
-    const std::optional<double> value = parse_number(word_);
+    const std::optional<float> value = parse_float(word_);
     if (!value) fail(fmt::format("{} is '{}', a number is needed", what, printable(word_)));
-    const float rounded = static_cast<float>(*value);
-    if (!std::isfinite(rounded))
+    if (!std::isfinite(*value))
         throw SceneError(fmt::format(
             "{}:{}: {} is {}, not a finite float", name_, line_, what, printable(word_)));
-    return rounded;
+    return *value;
 }
 
 std::int64_t TextCursor::integer(std::string_view what)

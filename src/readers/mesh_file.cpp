@@ -2,8 +2,7 @@
 #include "scene/model/default_material.h"
 #include "readers/mesh_file.h"
 
-#include "readers/mesh/assimp_mesh.h"
-#include "readers/mesh/checked_mesh.h"
+#include "readers/mesh/raw_mesh.h"
 #include "readers/mesh/mesh_materials.h"
 #include "readers/mesh/mesh_vertices.h"
 #include "readers/mesh/mtl.h"
@@ -20,22 +19,22 @@
 namespace firsthit {
 namespace {
 
-CheckedMesh check(std::string bytes, const std::string& extension, const std::string& name)
+RawMesh read(std::string bytes, const std::string& extension, const std::string& name)
 {
-    if (extension == ".ply") return check_ply(std::move(bytes), name);
-    if (extension == ".stl") return check_stl(std::move(bytes), name);
-    if (extension == ".obj") return check_obj(std::move(bytes), name);
+    if (extension == ".ply") return read_ply(bytes, name);
+    if (extension == ".stl") return read_stl(bytes, name);
+    if (extension == ".obj") return read_obj(bytes, name);
     throw ArgumentError(
         fmt::format("'{}' is no mesh file; accepted are .ply, .stl, .obj", extension));
 }
 
 /// Every triangle is in exactly one run: one with the default material is put in front if needed.
-std::vector<MaterialRun> complete_runs(const CheckedMesh& checked, std::uint32_t default_material)
+std::vector<MaterialRun> complete_runs(const RawMesh& raw, std::uint32_t default_material)
 {
-    std::vector<MaterialRun> runs = checked.material_runs;
+    std::vector<MaterialRun> runs = raw.material_runs;
     if (runs.empty() || runs.front().first_triangle > 0)
         runs.insert(runs.begin(), MaterialRun{.first_triangle = 0, .material = default_material});
-    if (runs.back().first_triangle == checked.triangle_count) runs.pop_back();
+    if (runs.back().first_triangle == raw.index.size()) runs.pop_back();
     return runs;
 }
 
@@ -56,22 +55,20 @@ Scene read_mesh_file(const std::filesystem::path& path, const LoadSettings& sett
 Scene read_mesh(std::string bytes, const std::string& extension, const std::string& name,
     const std::filesystem::path& folder, const LoadSettings& settings)
 {
-    CheckedMesh checked = check(std::move(bytes), extension, name);
-    RawMesh raw = read_with_assimp(checked, extension, name);
+    RawMesh raw = read(std::move(bytes), extension, name);
 
     Scene scene;
     scene.name = std::filesystem::path(name).filename().string();
     scene.nodes.push_back({.name = scene.name});
     scene.ambient = glm::vec3(kMeshAmbient);
-    scene.warnings = std::move(checked.warnings);
-    read_materials(checked, name, folder, !raw.uv.empty(), scene);
+    scene.warnings = std::move(raw.warnings);
+    read_materials(raw, name, folder, !raw.uv.empty(), scene);
 
     // The default material is the last one.
     const auto last_material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-    const std::vector<MaterialRun> runs = complete_runs(checked, last_material);
+    const std::vector<MaterialRun> runs = complete_runs(raw, last_material);
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::size_t end =
-            r + 1 < runs.size() ? runs[r + 1].first_triangle : checked.triangle_count;
+        const std::size_t end = r + 1 < runs.size() ? runs[r + 1].first_triangle : raw.index.size();
         Part& part = scene.parts.emplace_back();
         part.material = runs[r].material;
         part.name = scene.materials[part.material].name;

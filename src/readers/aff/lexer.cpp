@@ -116,10 +116,13 @@ double Lexer::number(const char* what)
 
 float Lexer::small_number(const char* what)
 {
-    const double value = number(what);
-    if (std::abs(value) > double(std::numeric_limits<float>::max()))
+    const std::string_view token = word(what);
+    const std::optional<float> value = parse_float(token);
+    if (!value) fail_file(std::string(what) + " should be a number, not " + in_quotes(token));
+    if (std::isfinite(*value)) return *value;
+    if (std::isfinite(parse_number(token).value()))
         fail_scene(std::string(what) + " is too large: it must lie within +-3.4e38");
-    return static_cast<float>(value);
+    fail_scene(std::string(what) + " should be a finite number, not " + in_quotes(token));
 }
 
 std::int64_t Lexer::integer(const char* what)
@@ -159,10 +162,10 @@ glm::vec2 Lexer::small_pair(const char* what)
     return {x, small_number(what)};
 }
 
-std::optional<double> Lexer::number_if_next(const char* what)
+std::optional<float> Lexer::small_number_if_next(const char* what)
 {
     if (!parse_number(peek())) return {};
-    return number(what);
+    return small_number(what);
 }
 
 std::string Lexer::place() const

@@ -49,7 +49,7 @@ class Lexer {
     glm::vec2 small_pair(const char* what);
 
     /// The next token as a number if it is one; otherwise takes nothing.
-    std::optional<double> number_if_next(const char* what);
+    std::optional<float> small_number_if_next(const char* what);
 
     /// "file:line: " of the last token.
     std::string place() const;

@@ -12,11 +12,11 @@ namespace {
 /// A light's colour, white where it has none.
 glm::vec3 optional_color(Lexer& lexer)
 {
-    const std::optional<double> red = lexer.number_if_next("the light's red");
+    const std::optional<float> red = lexer.small_number_if_next("the light's red");
     if (!red) return glm::vec3(1);
     const float green = lexer.small_number("the light's green");
     const float blue = lexer.small_number("the light's blue");
-    return {static_cast<float>(*red), green, blue};
+    return {*red, green, blue};
 }
 
 void set_material(const Lexer& lexer, State& state, Material material)

@@ -45,12 +45,12 @@ std::vector<std::string> library_names(const std::string& line, const std::files
 }
 
 /// The first definition of a name counts.
-Library read_libraries(const CheckedMesh& checked, const std::string& name,
+Library read_libraries(const RawMesh& raw, const std::string& name,
     const std::filesystem::path& folder, Scene& scene)
 {
     Library library;
     std::unordered_set<std::string> seen;
-    for (std::string line : checked.material_files) {
+    for (std::string line : raw.material_files) {
         std::replace(line.begin(), line.end(), '\\', '/');
         for (const std::string& file : library_names(line, folder)) {
             if (!seen.insert(file).second) continue;
@@ -97,16 +97,16 @@ class Textures {
 
 } // namespace
 
-void read_materials(const CheckedMesh& checked, const std::string& name,
+void read_materials(const RawMesh& raw, const std::string& name,
     const std::filesystem::path& folder, bool has_uv, Scene& scene)
 {
     Library library;
-    if (!folder.empty()) library = read_libraries(checked, name, folder, scene);
+    if (!folder.empty()) library = read_libraries(raw, name, folder, scene);
 
     Textures textures(scene);
     std::string missing;
     std::size_t missing_count = 0;
-    for (const std::string& wanted : checked.materials) {
+    for (const std::string& wanted : raw.materials) {
         const auto found = library.find(wanted);
         if (found == library.end()) {
             if (missing_count++ == 0) missing = wanted;

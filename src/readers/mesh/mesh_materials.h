@@ -1,7 +1,7 @@
 // mesh_materials.h - the materials of a mesh file, from its libraries.
 #pragma once
 
-#include "readers/mesh/checked_mesh.h"
+#include "readers/mesh/raw_mesh.h"
 
 #include <firsthit/scene.h>
 
@@ -18,7 +18,7 @@ namespace firsthit {
 /// folder  where libraries and textures are; empty: they are not read
 /// has_uv  false: textures are not read
 /// throws  FileError, SceneError: a library that is there but malformed
-void read_materials(const CheckedMesh& checked, const std::string& name,
+void read_materials(const RawMesh& raw, const std::string& name,
     const std::filesystem::path& folder, bool has_uv, Scene& scene);
 
 } // namespace firsthit

@@ -59,9 +59,10 @@ std::vector<std::uint32_t> corner_normals(
         const double length = glm::length(n);
         normal.push_back(length > 0 ? glm::vec3(n / length) : glm::vec3(0));
     }
+    const std::vector<glm::uvec3>& index = raw.normal_index.empty() ? raw.index : raw.normal_index;
     std::vector<std::uint32_t> corner = std::move(smooth.corner);
     for (std::size_t c = 0; c < corner.size(); ++c) {
-        const std::uint32_t vertex = raw.index[c / 3][static_cast<int>(c % 3)];
+        const std::uint32_t vertex = index[c / 3][static_cast<int>(c % 3)];
         const std::uint32_t number = base + given.number[vertex];
         if (normal[number] != glm::vec3(0)) corner[c] = number;
     }
@@ -130,12 +131,13 @@ void make_vertices(RawMesh raw, double crease_angle_rad, Scene& scene)
         uvs = weld(std::span<const glm::vec3>(flat));
         for (const std::uint32_t first : uvs.first) values.uv.push_back(raw.uv[first]);
     }
+    const std::vector<glm::uvec3>& uv_index = raw.uv_index.empty() ? raw.index : raw.uv_index;
     std::vector<glm::uvec3> keys;
     keys.reserve(by_point.size() * 3);
     for (std::size_t t = 0; t < by_point.size(); ++t)
         for (int k = 0; k < 3; ++k)
             keys.emplace_back(by_point[t][k], normal[3 * t + static_cast<std::size_t>(k)],
-                raw.uv.empty() ? 0u : uvs.number[raw.index[t][k]]);
+                raw.uv.empty() ? 0u : uvs.number[uv_index[t][k]]);
     by_point = {};
     raw = {};
 

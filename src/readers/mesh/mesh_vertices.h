@@ -1,7 +1,7 @@
 // mesh_vertices.h - makes the vertices of a scene from the corners of a mesh file.
 #pragma once
 
-#include "readers/mesh/assimp_mesh.h"
+#include "readers/mesh/raw_mesh.h"
 
 #include <firsthit/scene.h>
 

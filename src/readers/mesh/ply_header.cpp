@@ -30,7 +30,7 @@ constexpr std::array<TypeInfo, 8> kTypes{{
     {"double", "float64", 8},
 }};
 
-// More would be no mesh; Assimp keeps each of them.
+// A guard: more would be no mesh.
 constexpr std::size_t kMaxProperties = 256;
 
 template <class T>
@@ -153,10 +153,6 @@ void add_property(PlyElement& element, const TextCursor& text, PlyProperty prope
 
 } // namespace
 
-std::string_view ply_type_name(PlyType type)
-{
-    return kTypes[static_cast<std::size_t>(type)].name;
-}
 std::size_t ply_type_size(PlyType type)
 {
     return kTypes[static_cast<std::size_t>(type)].size;

@@ -39,8 +39,6 @@ struct PlyHeader {
 ///         twice there or of the wrong kind, elements in another order
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
-/// As Assimp knows it: "char", "uchar", ...
-std::string_view ply_type_name(PlyType type);
 std::size_t ply_type_size(PlyType type);
 
 /// The value of that type at an address.

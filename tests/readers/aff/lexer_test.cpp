@@ -72,10 +72,10 @@ TEST(Lexer, ReadsNumbersAsTheyAreWritten)
 TEST(Lexer, TakesANumberOnlyIfItIsNext)
 {
     Lexer lexer("f", "1 l");
-    EXPECT_EQ(lexer.number_if_next("x"), 1.0);
-    EXPECT_FALSE(lexer.number_if_next("x"));
+    EXPECT_EQ(lexer.small_number_if_next("x"), 1.0f);
+    EXPECT_FALSE(lexer.small_number_if_next("x"));
     EXPECT_EQ(lexer.next(), "l");
-    EXPECT_FALSE(lexer.number_if_next("x"));
+    EXPECT_FALSE(lexer.small_number_if_next("x"));
 }
 
 TEST(Lexer, RefusesWhatIsNoNumber)

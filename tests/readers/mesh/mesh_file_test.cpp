@@ -205,9 +205,9 @@ TEST(MeshFile, ReadsBinaryPlyInBothByteOrders)
     }
 }
 
-TEST(MeshFile, ReadsABinaryPlyThatIsLongerThanAssimpsBuffer)
+TEST(MeshFile, ReadsABinaryPlyOfThreeMegabytes)
 {
-    // 3 MB of vertices and faces of 3 to 6 corners, which cross its megabytes anywhere.
+    // 3 MB of vertices and faces of 3 to 6 corners, with borders anywhere.
     constexpr int kVertices = 100'000;
     constexpr int kFaces = 90'000;
     std::string bytes = ply_header("binary_little_endian", "100000", "90000");

@@ -1,5 +1,5 @@
-// stl_check.cpp - is an STL file whole?
-#include "readers/mesh/checked_mesh.h"
+// read_stl.cpp - STL files, binary and ascii.
+#include "readers/mesh/raw_mesh.h"
 #include "io/text_cursor.h"
 
 #include <firsthit/error.h>
@@ -10,7 +10,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 namespace firsthit {
 namespace {
@@ -46,17 +45,23 @@ bool looks_like_text(const std::string& bytes)
            bytes.find('\0') == std::string::npos;
 }
 
-CheckedMesh check_binary(std::string bytes, const std::string& name)
+RawMesh read_binary(const std::string& bytes, const std::string& name)
 {
-    CheckedMesh mesh;
-    mesh.triangle_count = facet_count(bytes);
-    check_triangle_count(mesh.triangle_count, name);
+    const std::size_t count = facet_count(bytes);
+    check_triangle_count(count, name);
+    RawMesh mesh;
+    mesh.position.resize(count * 3);
+    mesh.index.reserve(count);
 
     // Corners must be finite; the normals are not used.
     const char* facet = bytes.data() + kHeader;
-    for (std::size_t f = 0; f < mesh.triangle_count; ++f, facet += kFacet) {
+    for (std::size_t f = 0; f < count; ++f, facet += kFacet) {
         float corner[9];
         std::memcpy(corner, facet + 12, sizeof corner);
+        for (std::size_t k = 0; k < 3; ++k)
+            mesh.position[3 * f + k] = {corner[3 * k], corner[3 * k + 1], corner[3 * k + 2]};
+        const auto first = static_cast<std::uint32_t>(3 * f);
+        mesh.index.emplace_back(first, first + 1, first + 2);
         float sum = 0;
         for (const float c : corner) sum += c * 0.0f; // not zero where one is not finite
         if (sum != 0.0f || std::isnan(sum)) {
@@ -67,17 +72,12 @@ CheckedMesh check_binary(std::string bytes, const std::string& name)
                 name, f, place / 3, "xyz"[place % 3], *bad));
         }
     }
-
-    // Assimp takes a file that begins with "solid" for a text where its size is odd.
-    std::fill_n(bytes.begin(), 80, ' ');
-    mesh.bytes = std::move(bytes);
     return mesh;
 }
 
-CheckedMesh check_text(const std::string& bytes, const std::string& name)
+RawMesh read_text(const std::string& bytes, const std::string& name)
 {
-    CheckedMesh mesh;
-    mesh.bytes = "solid s\n";
+    RawMesh mesh;
     TextCursor text(bytes, name);
 
     enum class In { file, solid, facet, loop, closed_loop };
@@ -93,18 +93,14 @@ CheckedMesh check_text(const std::string& bytes, const std::string& name)
         if (same_word(word, "vertex")) {
             expect(In::loop);
             if (++corners > 3) text.fail("a facet has more than 3 vertices");
-            mesh.bytes += "vertex ";
-            for (const char* const axis : {"x", "y", "z"}) {
-                const float value = text.number(axis);
-                append_number(mesh.bytes, text.word(), value);
-            }
+            glm::vec3& position = mesh.position.emplace_back();
+            position.x = text.number("x");
+            position.y = text.number("y");
+            position.z = text.number("z");
             text.expect_end();
-            mesh.bytes.back() = '\n';
         } else if (same_word(word, "facet")) {
             expect(In::solid);
-            in = In::facet;
-            // Exporters write normals that are no numbers; they are not used.
-            mesh.bytes += "facet normal 0 0 0\nouter loop\n";
+            in = In::facet; // exporters write normals that are no numbers; they are not used
         } else if (same_word(word, "outer")) {
             expect(In::facet);
             in = In::loop;
@@ -117,8 +113,8 @@ CheckedMesh check_text(const std::string& bytes, const std::string& name)
         } else if (same_word(word, "endfacet")) {
             expect(In::closed_loop);
             in = In::solid;
-            ++mesh.triangle_count;
-            mesh.bytes += "endloop\nendfacet\n";
+            const auto first = static_cast<std::uint32_t>(mesh.position.size() - 3);
+            mesh.index.emplace_back(first, first + 1, first + 2);
         } else if (same_word(word, "endsolid")) {
             expect(In::solid);
             in = In::file;
@@ -130,18 +126,17 @@ CheckedMesh check_text(const std::string& bytes, const std::string& name)
         }
     }
     if (in != In::file) text.fail("the file ends inside a solid: it is truncated");
-    check_triangle_count(mesh.triangle_count, name);
-    mesh.bytes += "endsolid s\n";
+    check_triangle_count(mesh.index.size(), name);
     return mesh;
 }
 
 } // namespace
 
-CheckedMesh check_stl(std::string bytes, const std::string& name)
+RawMesh read_stl(const std::string& bytes, const std::string& name)
 {
     if (bytes.empty()) throw FileError(fmt::format("{}: the file is empty", name));
-    if (is_binary_size(bytes)) return check_binary(std::move(bytes), name);
-    if (looks_like_text(bytes)) return check_text(bytes, name);
+    if (is_binary_size(bytes)) return read_binary(bytes, name);
+    if (looks_like_text(bytes)) return read_text(bytes, name);
     if (bytes.size() < kHeader)
         throw FileError(
             fmt::format("{}: {} bytes, neither 'solid' nor the {} bytes of a binary header", name,

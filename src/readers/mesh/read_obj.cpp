@@ -1,8 +1,5 @@
-// obj_check.cpp - is an OBJ file whole? Leaves its vertices and faces.
-//
-// Assimp collects faces by object and material, which changes their order. It is given neither:
-// who has which material is kept here, by triangle.
-#include "readers/mesh/checked_mesh.h"
+// read_obj.cpp - OBJ files: vertices and faces, and who has which material.
+#include "readers/mesh/raw_mesh.h"
 #include "io/text_cursor.h"
 #include "io/parse_number.h"
 
@@ -31,23 +28,28 @@ struct Corner {
     std::int64_t normal = -1;
 };
 
-class ObjCheck {
+class ObjReader {
   public:
-    ObjCheck(const std::string& bytes, const std::string& name) : text_(bytes, name, true)
-    {
-        // Assimp wants at least 16 bytes.
-        mesh_.bytes = "# vertices and faces\n";
-        mesh_.bytes.reserve(bytes.size() + bytes.size() / 8);
-    }
+    ObjReader(const std::string& bytes, const std::string& name) : text_(bytes, name, true) {}
 
-    CheckedMesh run()
+    RawMesh run()
     {
         while (text_.next_line()) read_statement();
         if (skipped_ > 0)
             mesh_.warnings.push_back(
                 fmt::format("{}: {} points and lines are left out", text_.name(), skipped_));
         warn_thin_faces(thin_, text_.name(), mesh_.warnings);
-        check_triangle_count(mesh_.triangle_count, text_.name());
+        check_triangle_count(mesh_.index.size(), text_.name());
+        if (has_uv_)
+            mesh_.uv.emplace_back(0); // of corners that have none
+        else
+            mesh_.uv.clear();
+        if (has_normal_)
+            mesh_.normal.emplace_back(0);
+        else
+            mesh_.normal.clear();
+        name_none(mesh_.uv_index, mesh_.uv.size());
+        name_none(mesh_.normal_index, mesh_.normal.size());
         return std::move(mesh_);
     }
 
@@ -58,14 +60,14 @@ class ObjCheck {
         if (text_.line() == 1 && word.substr(0, 3) == "\xEF\xBB\xBF") word.remove_prefix(3);
         if (word.empty() || word[0] == '#') return;
         if (word == "v") {
-            read_floats("v ", 3, 3);
-            ++vertices_;
+            read_floats(3, 3);
+            mesh_.position.push_back(numbers_);
         } else if (word == "vt") {
-            read_floats("vt ", 1, 2);
-            ++uvs_;
+            read_floats(1, 2);
+            mesh_.uv.emplace_back(numbers_);
         } else if (word == "vn") {
-            read_floats("vn ", 3, 3);
-            ++normals_;
+            read_floats(3, 3);
+            mesh_.normal.push_back(numbers_);
         } else if (word == "f" || word == "fo") {
             read_face();
         } else if (word == "usemtl") {
@@ -79,21 +81,15 @@ class ObjCheck {
         }
     }
 
-    /// Reads `needed` numbers of `written`, and writes what is missing as 0. More numbers on the
-    /// line (weights, colours) are left out.
-    void read_floats(std::string_view keyword, int needed, int written)
+    /// Reads `wanted` numbers, of which `needed` must be there and the others are 0. More numbers on
+    /// the line (weights, colours) are left out.
+    void read_floats(int needed, int wanted)
     {
         static constexpr std::array<std::string_view, 3> kNames{"number 1", "number 2", "number 3"};
-        mesh_.bytes += keyword;
-        for (int axis = 0; axis < written; ++axis) {
-            if (axis >= needed && !text_.has_word()) {
-                mesh_.bytes += "0 ";
-            } else {
-                const float value = text_.number(kNames[static_cast<std::size_t>(axis)]);
-                append_number(mesh_.bytes, text_.word(), value);
-            }
-        }
-        mesh_.bytes.back() = '\n';
+        for (int axis = 0; axis < wanted; ++axis)
+            numbers_[axis] = axis >= needed && !text_.has_word()
+                                 ? 0.0f
+                                 : text_.number(kNames[static_cast<std::size_t>(axis)]);
     }
 
     void read_face()
@@ -113,10 +109,35 @@ class ObjCheck {
             ++thin_;
             return;
         }
-        mesh_.triangle_count += face_.size() - 2;
-        mesh_.bytes += "f ";
-        for (const Corner& corner : face_) write_corner(corner);
-        mesh_.bytes.back() = '\n';
+        add_fan(mesh_.index, &Corner::vertex);
+        if (has_uv_ || face_.front().uv >= 0) add_rest(mesh_.uv_index, &Corner::uv, has_uv_);
+        if (has_normal_ || face_.front().normal >= 0)
+            add_rest(mesh_.normal_index, &Corner::normal, has_normal_);
+    }
+
+    void add_fan(std::vector<glm::uvec3>& index, std::int64_t Corner::*what)
+    {
+        const auto number = [&](std::size_t k) {
+            return static_cast<std::uint32_t>(face_[k].*what); // -1 becomes kNone
+        };
+        for (std::size_t k = 2; k < face_.size(); ++k)
+            index.emplace_back(number(0), number(k - 1), number(k));
+    }
+
+    /// Numbers that triangles before the first face with any lack.
+    void add_rest(std::vector<glm::uvec3>& index, std::int64_t Corner::*what, bool& has)
+    {
+        if (!has) index.resize(mesh_.index.size() - (face_.size() - 2), glm::uvec3(kNone));
+        has = true;
+        add_fan(index, what);
+    }
+
+    /// Where there is none it is the last value.
+    static void name_none(std::vector<glm::uvec3>& index, std::size_t values)
+    {
+        for (glm::uvec3& corners : index)
+            for (int k = 0; k < 3; ++k)
+                if (corners[k] == kNone) corners[k] = static_cast<std::uint32_t>(values - 1);
     }
 
     /// "v", "v/vt", "v//vn" or "v/vt/vn"
@@ -129,18 +150,19 @@ class ObjCheck {
             return text;
         };
         Corner corner;
-        corner.vertex = read_index(field(), vertices_, "vertex");
+        corner.vertex = read_index(field(), mesh_.position.size(), "vertex");
         if (const std::string_view uv = field(); !uv.empty())
-            corner.uv = read_index(uv, uvs_, "texture coordinate");
+            corner.uv = read_index(uv, mesh_.uv.size(), "texture coordinate");
         if (const std::string_view normal = field(); !normal.empty())
-            corner.normal = read_index(normal, normals_, "normal");
+            corner.normal = read_index(normal, mesh_.normal.size(), "normal");
         if (!word.empty()) text_.fail("a corner has more than v/vt/vn");
         return corner;
     }
 
     /// Counts from 1, or from -1 backwards.
-    std::int64_t read_index(std::string_view word, std::int64_t count, const char* what) const
+    std::int64_t read_index(std::string_view word, std::size_t values, const char* what) const
     {
+        const auto count = static_cast<std::int64_t>(values);
         const std::optional<std::int64_t> found = parse_integer(word);
         if (!found)
             text_.fail(
@@ -152,21 +174,6 @@ class ObjCheck {
         return index > 0 ? index - 1 : count + index;
     }
 
-    void write_corner(const Corner& corner)
-    {
-        std::string& out = mesh_.bytes;
-        append_integer(out, corner.vertex + 1);
-        if (corner.uv < 0 && corner.normal < 0) return;
-        out.back() = '/';
-        if (corner.uv >= 0) {
-            append_integer(out, corner.uv + 1);
-            if (corner.normal >= 0) out.back() = '/';
-        } else {
-            out += '/';
-        }
-        if (corner.normal >= 0) append_integer(out, corner.normal + 1);
-    }
-
     void use_material(std::string_view name)
     {
         const auto next = static_cast<std::uint32_t>(mesh_.materials.size());
@@ -175,28 +182,30 @@ class ObjCheck {
 
         // The last of several without a face between them counts.
         std::vector<MaterialRun>& runs = mesh_.material_runs;
-        if (!runs.empty() && runs.back().first_triangle == mesh_.triangle_count) runs.pop_back();
+        if (!runs.empty() && runs.back().first_triangle == mesh_.index.size()) runs.pop_back();
         if (runs.empty() || runs.back().material != found->second)
-            runs.push_back({.first_triangle = mesh_.triangle_count, .material = found->second});
+            runs.push_back({.first_triangle = mesh_.index.size(), .material = found->second});
     }
 
-    CheckedMesh mesh_;
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+    RawMesh mesh_;
     TextCursor text_;
+    glm::vec3 numbers_{0}; // of the line
     std::vector<Corner> face_;
     std::unordered_map<std::string, std::uint32_t> material_;
-    std::int64_t vertices_ = 0;
-    std::int64_t uvs_ = 0;
-    std::int64_t normals_ = 0;
+    bool has_uv_ = false; // a face has
+    bool has_normal_ = false;
     std::size_t skipped_ = 0; // points and lines
     std::size_t thin_ = 0;
 };
 
 } // namespace
 
-CheckedMesh check_obj(std::string bytes, const std::string& name)
+RawMesh read_obj(const std::string& bytes, const std::string& name)
 {
     if (bytes.empty()) throw FileError(fmt::format("{}: the file is empty", name));
-    return ObjCheck(bytes, name).run();
+    return ObjReader(bytes, name).run();
 }
 
 } // namespace firsthit
