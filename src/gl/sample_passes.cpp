@@ -4,6 +4,7 @@
 #include "gl/bindings.h"
 #include "gl/device/context.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -51,6 +52,15 @@ SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_in
     }
 }
 
+/// For one more program.
+void SamplePasses::make_room()
+{
+    if (programs_.size() < kMostPrograms) return;
+    programs_.erase(std::min_element(programs_.begin(), programs_.end(),
+        [](const Linked& a, const Linked& b) { return a.last_use < b.last_use; }));
+}
+
+/// Valid until the next call.
 const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
 {
     static constexpr std::string_view kFiles[] = {"early_z.frag", "intersect.frag",
@@ -66,8 +76,11 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
     add(variant_.item_channels, 5);
     add(plane, kAovCount);
     for (const bool flag : flags) add(flag, 2);
-    for (const Linked& known : programs_)
-        if (known.variant == variant) return known.program;
+    for (Linked& known : programs_)
+        if (known.variant == variant) {
+            known.last_use = ++uses_;
+            return known.program;
+        }
 
     Defines defines = {{"FIRSTHIT_TEST", std::to_string(int(variant_.test))},
         {"FIRSTHIT_ITEM_CHANNELS", std::to_string(variant_.item_channels)},
@@ -78,9 +91,10 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
     if (stored || pass == Pass::count) defines.push_back({"FIRSTHIT_STORED_HITS", ""});
     if (count_invocations_) defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
     const std::string_view file = kFiles[std::size_t(pass)];
-    programs_.push_back(
-        {variant, file.ends_with(".comp") ? link_program({file}, defines)
-                                          : link_program({"screen.vert", file}, defines)});
+    make_room();
+    programs_.push_back({variant, ++uses_,
+        file.ends_with(".comp") ? link_program({file}, defines)
+                                : link_program({"screen.vert", file}, defines)});
     return programs_.back().program;
 }
 

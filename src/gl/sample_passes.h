@@ -55,9 +55,14 @@ struct SampleCounts {
 };
 
 /// Programs and targets. All passes but the average read the bound blocks and textures (bindings.h)
-/// and write one texel a sample. Programs are linked when first used.
+/// and write one texel a sample. Programs are linked when first used; those not used for longest are
+/// given up where there are many.
 class SamplePasses {
   public:
+    /// Of linked programs. A frame with all planes and maps uses 18; llvmpipe takes megabytes
+    /// for one.
+    static constexpr std::size_t kMostPrograms = 40;
+
     /// count_invocations  for tests: find_hits and shade count the samples that run their shaders
     explicit SamplePasses(bool count_invocations = false);
 
@@ -94,6 +99,7 @@ class SamplePasses {
   private:
     enum class Pass { early_z, intersect, bounds, shade, fill, average, count, plane };
     const Program& linked(Pass pass, bool stored = false, int plane = 0);
+    void make_room();
     SampleCounts count(bool hits);
     void draw(const Program& program, const Framebuffer& target, glm::ivec2 size);
     void draw_into(const Program& program, Texture2D& texture, GLenum format, glm::ivec2 size);
@@ -103,11 +109,13 @@ class SamplePasses {
     glm::ivec2 size_{0}; // of the newest colours
 
     struct Linked {
-        unsigned variant; // all that it was linked for
+        unsigned variant;       // all that it was linked for
+        std::uint64_t last_use; // a number that grows with each
         Program program;
     };
     PassVariant variant_;
-    std::vector<Linked> programs_;
+    std::vector<Linked> programs_; // at most kMostPrograms: those used last
+    std::uint64_t uses_ = 0;
     VertexArray nothing_;
     Buffer frame_, invocations_, counts_;
     Texture2D mask_, hits_, colors_, filled_, pixels_;

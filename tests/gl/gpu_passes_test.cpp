@@ -40,6 +40,44 @@ TEST_F(GpuPasses, SeveralMakeTheSamePictureAsOne)
     }
 }
 
+TEST_F(GpuPasses, KeepABoundedNumberOfPrograms)
+{
+    load("builtin:torus", 0, 32);
+    world.lights = {Light{.position = {5, 5, 5}}};
+    gl::GpuFrame frame(*context);
+    settings.shadows = Shadows::map;
+    settings.multisample = Multisample::none;
+    render_gpu(frame);
+    const Film first = gpu_film;
+    const std::int64_t before = gl::gl_objects_alive();
+
+    // Every plane of every way to test and to light is a program of its own.
+    int asked = 0;
+    for (const Shadows shadows : {Shadows::none, Shadows::map})
+        for (const auto passes : {firsthit::GpuPasses::single, firsthit::GpuPasses::multi})
+            for (const Multisample multisample :
+                {Multisample::none, Multisample::lazy3, Multisample::full3, Multisample::exact}) {
+                settings.shadows = shadows;
+                settings.multisample = multisample;
+                settings.opengl.passes = passes;
+                settings.aovs = {Aov::item, Aov::depth, Aov::distance, Aov::uv, Aov::normal,
+                    Aov::geometric_normal, Aov::position, Aov::albedo, Aov::barycentric};
+                asked += int(settings.aovs.size());
+                render_gpu(frame);
+            }
+    ASSERT_GT(asked, int(gl::SamplePasses::kMostPrograms));
+    // The other objects are few: one of each kind of plane.
+    EXPECT_LE(gl::gl_objects_alive(), before + int(gl::SamplePasses::kMostPrograms) + 8);
+
+    // What was given up is made again.
+    settings.shadows = Shadows::map;
+    settings.multisample = Multisample::none;
+    settings.opengl.passes = firsthit::GpuPasses::single;
+    settings.aovs = {};
+    render_gpu(frame);
+    EXPECT_TRUE(gpu_film.color.value == first.color.value);
+}
+
 TEST_F(GpuPasses, RunNoShaderForMaskedSamples)
 {
     load("builtin:torus");
