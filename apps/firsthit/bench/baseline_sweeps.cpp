@@ -3,7 +3,6 @@
 
 #include "bench/moving_scenes.h"
 #include "bench/baseline_tables.h"
-#include "bench/plot.h"
 
 #include <fmt/format.h>
 
@@ -19,19 +18,19 @@ constexpr int kRounds = 9;
 constexpr const char* kMilliseconds = "milliseconds of the processor's time";
 
 /// A curve for each side over the rows.
-std::vector<Series> curves(
-    std::span<const BaselineRow> rows, const std::function<double(std::size_t)>& x)
+Json curves(std::span<const BaselineRow> rows, const std::function<double(std::size_t)>& x)
 {
-    std::vector<Series> series;
+    Json series = Json::array();
     for (const Side side : kSides) {
-        Series curve{.name = std::string(side_name(side)), .points = {}};
+        Json curve = {{"name", std::string(side_name(side))}};
         for (std::size_t k = 0; k < rows.size(); ++k)
-            if (const SideTimes* times = rows[k].find(side))
-                curve.points.push_back({.x = x(k),
-                    .y = times->cpu_ms.median,
-                    .lower = times->cpu_ms.lower,
-                    .upper = times->cpu_ms.upper});
-        if (!curve.points.empty()) series.push_back(std::move(curve));
+            if (const SideTimes* times = rows[k].find(side)) {
+                curve["x"].push_back(x(k));
+                curve["y"].push_back(times->cpu_ms.median);
+                curve["lower"].push_back(times->cpu_ms.lower);
+                curve["upper"].push_back(times->cpu_ms.upper);
+            }
+        if (curve.contains("x")) series.push_back(std::move(curve));
     }
     return series;
 }
@@ -72,16 +71,13 @@ void add_triangle_growth(std::span<const BaselineRow> rows, Report& report, Json
 {
     const auto triangles = [&](std::size_t k) { return double(rows[k].triangles); };
     if (rows.size() < 2) return;
-    LinePlot plot{.title = "Frame time against triangles",
-        .x = {.label = "triangles", .log = true},
-        .y = {.label = kMilliseconds, .log = true},
-        .series = curves(rows, triangles)};
-    report.page.add_plot(line_plot_svg(plot),
-        fmt::format(
-            "The wave, whose every vertex moves in every frame, at {}x{}, {} thread{}. Bars: "
-            "quartiles.",
-            rows[0].size.width, rows[0].size.height, rows[0].threads,
-            rows[0].threads == 1 ? "" : "s"));
+    report.page.add_curves({{"title", "Frame time against triangles"},
+        {"x", {{"label", "triangles"}, {"log", true}}},
+        {"y", {{"label", kMilliseconds}, {"log", true}}}, {"series", curves(rows, triangles)},
+        {"caption", fmt::format("The wave, whose every vertex moves in every frame, at {}x{}, {} "
+                                "thread{}. Bars: quartiles.",
+                        rows[0].size.width, rows[0].size.height, rows[0].threads,
+                        rows[0].threads == 1 ? "" : "s")}});
     json["triangle_growth"] = {{"exponents", exponents_json(rows, triangles)}};
 }
 
@@ -102,11 +98,9 @@ void add_pixel_growth(
         const auto megapixels = [&](std::size_t k) {
             return double(rows[k].size.width) * double(rows[k].size.height) / 1e6;
         };
-        report.page.add_plot(line_plot_svg({.title = "Frame time against pixels: " + scene.name,
-                                 .x = {.label = "megapixels"},
-                                 .y = {.label = kMilliseconds},
-                                 .series = curves(rows, megapixels)}),
-            "One thread. Bars: quartiles.");
+        report.page.add_curves({{"title", "Frame time against pixels: " + scene.name},
+            {"x", {{"label", "megapixels"}}}, {"y", {{"label", kMilliseconds}}},
+            {"series", curves(rows, megapixels)}, {"caption", "One thread. Bars: quartiles."}});
         add_frames_tables(rows, "1 thread", report);
         list.push_back({{"scene", scene.name}, {"exponents", exponents_json(rows, megapixels)},
             {"rows", rows_json(rows)}});
@@ -130,15 +124,13 @@ void add_moving_shares(const BenchOptions& options, Report& report, Json& json)
                                      .rounds = rounds_of(options, kRounds),
                                      .fewer = !options.rounds,
                                      .pictures = true});
-    LinePlot plot{.title = "Frame time against the share of the vertices that move",
-        .x = {.label = "share of the vertices that move, %"},
-        .y = {.label = kMilliseconds},
-        .series = curves(rows, [&](std::size_t k) { return 100 * shares[k]; })};
-    report.page.add_plot(line_plot_svg(plot),
-        "A cloth, one thread, all shares in turn. The light moves a little, so that our shadow "
-        "map is made in every frame. Embree is told which part moves, and updates no more than "
-        "that where "
-        "this is quickest.");
+    report.page.add_curves({{"title", "Frame time against the share of the vertices that move"},
+        {"x", {{"label", "share of the vertices that move, %"}}}, {"y", {{"label", kMilliseconds}}},
+        {"series", curves(rows, [&](std::size_t k) { return 100 * shares[k]; })},
+        {"caption",
+            "A cloth, one thread, all shares in turn. The light moves a little, so that our shadow "
+            "map is made in every frame. Embree is told which part moves, and updates no more than "
+            "that where this is quickest."}});
     add_frames_tables(rows, "a cloth of which a share moves, 1 thread", report);
     Json flat = Json::object();
     for (const Side side : kSides) {

@@ -31,8 +31,10 @@ int run_bench(const BenchOptions& options)
     if (options.baseline) add_baseline(options, report);
     report.page.heading("What this was measured on");
     report.add(machine_table(machine));
+    report.json["page"] = report.page.json();
 
-    if (!folder.empty()) write_report(report, folder);
+    const std::string warning = folder.empty() ? "" : write_report(report, folder);
+    if (!warning.empty()) print_warnings({warning});
     const std::string json = to_text(report.json);
     if (options.json == "-")
         print(json);
@@ -41,7 +43,7 @@ int run_bench(const BenchOptions& options)
             const HoldInterrupts hold;
             write_file(options.json, json);
         }
-        if (!folder.empty())
+        if (!folder.empty() && warning.empty())
             report.text += fmt::format(
                 "The page is {}{}index.html\n", folder, folder.ends_with('/') ? "" : "/");
         print(report.text);

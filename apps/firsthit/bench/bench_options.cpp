@@ -27,7 +27,8 @@ constexpr const char* kFooter = R"(Examples:
   firsthit bench --paper --quick --json quick.json
 
 The page is DIR/index.html, one file that needs no others; DIR/bench.json has its numbers. Both appear
-when all is measured; what was there is replaced. scripts/fetch_scenes.sh fetches bunny and dragon;
+when all is measured; what was there is replaced. python3 draws the page: where it is missing, the rest is
+there, and DIR/report.py, which draws it later. scripts/fetch_scenes.sh fetches bunny and dragon;
 BART's Robot.aff (Lext, Assarsson, Moeller 2000) is its users' own, builtin:robots stands in for it.
 --baseline takes ten minutes, and counts the pixels in which pictures differ; --full takes an hour.
 Other programs that run meanwhile are seen in the numbers. --quick is for trying out the command: its

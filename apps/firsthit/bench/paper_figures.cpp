@@ -2,7 +2,6 @@
 #include "bench/paper_figures.h"
 
 #include "bench/paper_numbers.h"
-#include "bench/plot.h"
 
 #include <fmt/format.h>
 
@@ -50,11 +49,7 @@ double paper_item_share()
 void add_time_shares(const PaperMeasured& measured, Report& report, Json& json)
 {
     constexpr std::size_t kRobots = 0;
-    StackedBars plot{.title = "Figure 8: where the time goes, robots",
-        .label = "share of the frame, %",
-        .parts = kParts,
-        .bars = {}};
-    Json bars = Json::array();
+    Json shown = Json::array(), bars = Json::array();
     for (const char* const name :
         {"hybrid", "hybrid maps", "cpu", "cpu maps", "cpu exact", "gpu", "gpu maps"}) {
         const Frames* const frames = measured.find(kRobots, name);
@@ -64,26 +59,30 @@ void add_time_shares(const PaperMeasured& measured, Report& report, Json& json)
             continue;
         }
         const std::vector<double> parts = parts_of(*frames);
-        plot.bars.push_back({name, shares_of(parts)});
+        const std::vector<double> shares = shares_of(parts);
+        shown.push_back({{"name", name}, {"values", shares}});
         Json ms = Json::object(), share = Json::object();
         for (std::size_t k = 0; k < kParts.size(); ++k) {
             ms[kParts[k]] = parts[k];
-            share[kParts[k]] = plot.bars.back().values[k];
+            share[kParts[k]] = shares[k];
         }
         bars.push_back({{"way", name}, {"ms", ms}, {"percent", share}});
     }
     const double items = paper_item_share();
-    plot.bars.push_back({"paper, CPU (table 2)", {0, items, 0, 0, 0, 100 - items}});
-    report.page.add_plot(stacked_bars_svg(plot),
-        fmt::format(
-            "Medians by stage. Stages that run on all threads count as their mean over the "
-            "threads. \"waiting and the rest\" is what stages leave of the frame: threads that "
-            "wait for each other, and of the hybrid engine rays that wait for items. The paper "
-            "draws its figure 8 without numbers and calls the item buffer almost negligible; by "
-            "its table 2 that is {:.1f} % of the frame, and how the rest is divided is not told. "
-            "A graphics card drew its item buffer; a software driver takes the cores that the "
-            "rays want.",
-            items));
+    shown.push_back(
+        {{"name", "paper, CPU (table 2)"}, {"values", {0, items, 0, 0, 0, 100 - items}}});
+    report.page.add_bars({{"title", "Figure 8: where the time goes, robots"},
+        {"label", "share of the frame, %"}, {"parts", kParts}, {"bars", std::move(shown)},
+        {"caption",
+            fmt::format(
+                "Medians by stage. Stages that run on all threads count as their mean over the "
+                "threads. \"waiting and the rest\" is what stages leave of the frame: threads that "
+                "wait for each other, and of the hybrid engine rays that wait for items. The paper "
+                "draws its figure 8 without numbers and calls the item buffer almost negligible; "
+                "by its table 2 that is {:.1f} % of the frame, and how the rest is divided is not "
+                "told. A graphics card drew its item buffer; a software driver takes the cores "
+                "that the rays want.",
+                items)}});
     json["figure8"] = {{"bars", std::move(bars)}, {"paper_item_buffer_percent", items}};
 }
 
@@ -96,12 +95,8 @@ std::vector<Way> animation_ways()
 void add_animation(const PaperScene& robots, const std::vector<Frames>& frames, int rounds,
     Report& report, Json& json)
 {
-    LinePlot plot{.title = "Figure 9: frames per second over the animation, robots",
-        .x = {.label = "time in the animation, seconds", .from_zero = false},
-        .y = {.label = "frames per second", .log = true},
-        .series = {}};
     const std::vector<Way> ways = animation_ways();
-    Json curves = Json::array();
+    Json series = Json::array(), curves = Json::array();
     std::string missing;
     for (std::size_t way = 0; way < ways.size(); ++way) {
         if (!frames[way].failure.empty()) {
@@ -109,7 +104,6 @@ void add_animation(const PaperScene& robots, const std::vector<Frames>& frames, 
             missing += fmt::format(" {}: {}.", ways[way].name, frames[way].failure);
             continue;
         }
-        Series series{.name = ways[way].name, .points = {}};
         Json time = Json::array(), fps = Json::array();
         std::vector<double> medians;
         for (int k = 0; k < rounds; ++k) {
@@ -119,23 +113,23 @@ void add_animation(const PaperScene& robots, const std::vector<Frames>& frames, 
                 ms.push_back(frames[way].ms[i]);
             const double seconds = frame_time(*robots.scene, k, rounds);
             medians.push_back(quartiles(std::move(ms)).median);
-            series.points.push_back({.x = seconds, .y = 1000 / medians.back()});
             time.push_back(seconds);
             fps.push_back(1000 / medians.back());
         }
-        plot.series.push_back(std::move(series));
+        series.push_back({{"name", ways[way].name}, {"x", time}, {"y", fps}});
         curves.push_back({{"way", ways[way].name}, {"time_s", std::move(time)},
             {"fps", std::move(fps)}, {"all", quartiles_json(per_second(quartiles(medians)))}});
     }
     const auto [begin, end] = std::pair(robots.scene->begin_s, robots.scene->end_s);
-    plot.series.push_back({.name = "paper, CPU: mean (table 4)",
-        .points = {{.x = begin, .y = kFigure9Fps}, {.x = end, .y = kFigure9Fps}},
-        .dashed = true});
-    report.page.add_plot(
-        line_plot_svg(plot), "Each point is the median of a frame's repetitions. The paper draws a "
-                             "curve without numbers, of "
-                             "the CPU without multisampling, and finds it more or less constant." +
-                                 missing);
+    series.push_back({{"name", "paper, CPU: mean (table 4)"}, {"x", {begin, end}},
+        {"y", {kFigure9Fps, kFigure9Fps}}, {"dashed", true}});
+    report.page.add_curves({{"title", "Figure 9: frames per second over the animation, robots"},
+        {"x", {{"label", "time in the animation, seconds"}, {"from_zero", false}}},
+        {"y", {{"label", "frames per second"}, {"log", true}}}, {"series", std::move(series)},
+        {"caption", "Each point is the median of a frame's repetitions. The paper draws a curve "
+                    "without numbers, of the CPU without multisampling, and finds it more or less "
+                    "constant." +
+                        missing}});
     json["figure9"] = {{"curves", std::move(curves)}, {"paper_fps", kFigure9Fps}};
 }
 

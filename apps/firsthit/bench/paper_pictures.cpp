@@ -57,13 +57,13 @@ void show_scenes(Studio& studio, Report& report)
         if (studio.scenes[k].scene)
             shown.push_back({picture_of(studio.film(k, cpu_exact(2))), kPaperNames[k]});
     report.page.add_pictures(
-        shown, "The scenes with one light: cpu engine, exact shadows, 2x2 rays a pixel.");
+        "scenes", shown, "The scenes with one light: cpu engine, exact shadows, 2x2 rays a pixel.");
 }
 
 void show_items(Studio& studio, Report& report)
 {
     const Film film = studio.film(kRobots, cpu_exact(1));
-    report.page.add_pictures(
+    report.page.add_pictures("figure2",
         {{picture_of(film), "the framebuffer"}, {picture_of_items(film), "the item buffer"}},
         "Figure 2: the item buffer (right) has the index of the triangle that each pixel of the "
         "framebuffer "
@@ -85,8 +85,9 @@ void show_interleaving(Studio& studio, Report& report)
         differs[k] = most > 0.05f;
     }
     const Region part = densest_window(differs, sharp.width, std::max(8, studio.side / 4));
-    report.page.add_pictures({{extract(picture_of(blurred), part), "interleaved"},
-                                 {extract(picture_of(sharp), part), "normal"}},
+    report.page.add_pictures("figure7",
+        {{extract(picture_of(blurred), part), "interleaved"},
+            {extract(picture_of(sharp), part), "normal"}},
         fmt::format(
             "Figure 7: interleaved rendering (left), where every {}nd ray is shot and the pixels "
             "between are interpolated, and normal rendering (right); an extract of the robots, "
@@ -143,7 +144,7 @@ void show_artefacts(Studio& studio, const Artefacts& asked, Report& report, Json
         Picture right = picture_of(repaired);
         if (!asked.interpolate) right = with_marks(std::move(right), holes(repaired, exact));
         const Region part = densest_window(bare_holes, bare.width, std::max(8, studio.side / 5));
-        report.page.add_pictures(
+        report.page.add_pictures(asked.key,
             {{extract(with_marks(picture_of(bare), bare_holes), part),
                  fmt::format("{}; pixels missed: {}", asked.left, missed_bare)},
                 {extract(right, part),

@@ -1,6 +1,8 @@
 // report.cpp - what a benchmark found: for the page, for programs, for the terminal.
 #include "bench/report.h"
 
+#include "bench/draw_page.h"
+#include "bench/report_script.h"
 #include "common/interrupt.h"
 
 #include <firsthit/error.h>
@@ -43,12 +45,20 @@ void ReportFolder::remove_empty()
         std::filesystem::remove(*folder, error);
 }
 
-void write_report(const Report& report, const std::string& folder)
+std::string write_report(const Report& report, const std::string& folder)
 {
     const HoldInterrupts hold;
-    const std::filesystem::path path(folder);
-    write_file((path / "bench.json").string(), to_text(report.json));
-    write_file((path / "index.html").string(), report.page.html());
+    const auto path = [&](const std::string& name) {
+        return (std::filesystem::path(folder) / name).string();
+    };
+    for (const auto& [name, bytes] : report.page.files())
+        write_file(path(name), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write_file(path("bench.json"), to_text(report.json));
+    const std::string failure = draw_page(folder);
+    if (failure.empty()) return "";
+    write_file(path("report.py"), report_script().front().text);
+    return fmt::format("{} is not written ({}): where there is Python 3, run python3 {} {}",
+        path("index.html"), failure, path("report.py"), path("bench.json"));
 }
 
 } // namespace firsthit::cli::bench

@@ -10,7 +10,7 @@
 namespace firsthit::cli::bench {
 
 struct Report {
-    Json json = Json::object(); // a member for each mode: "machine", "paper", "baseline"
+    Json json = Json::object(); // a member for each mode, beside "machine", "quick" and "page"
     Page page{"Firsthit: measured"};
     std::string text; // for the terminal
 
@@ -41,8 +41,10 @@ class ReportFolder {
     std::vector<std::filesystem::path> made_; // the outermost first
 };
 
-/// DIR/index.html and DIR/bench.json, each whole or not at all, in a folder that is there.
-/// throws  FileError
-void write_report(const Report& report, const std::string& folder);
+/// DIR/bench.json, the page's pictures, and DIR/index.html drawn from these, each whole or not at all, in a
+/// folder that is there. Where the page cannot be drawn, DIR/report.py is written too, which draws it elsewhere.
+/// returns  a warning, which says why there is no page; empty: there is one
+/// throws   FileError
+std::string write_report(const Report& report, const std::string& folder);
 
 } // namespace firsthit::cli::bench

@@ -1,8 +1,6 @@
 // table.cpp - a table for the page and for the terminal.
 #include "bench/table.h"
 
-#include "bench/markup.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,29 +50,6 @@ Cell cell(const Quartiles& values)
 Cell missing_cell(const std::string& reason)
 {
     return {"-", reason};
-}
-
-std::string table_html(const Table& table)
-{
-    std::string html = "<figure class=\"table\">\n<figcaption>" + escaped(table.title) +
-                       "</figcaption>\n<div class=\"scroll\"><table>\n<thead><tr>";
-    for (const std::string& name : table.head)
-        html += "<th scope=\"col\">" + escaped(name) + "</th>";
-    html += "</tr></thead>\n<tbody>\n";
-    for (const auto& row : table.rows) {
-        html += "<tr>";
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            const char* const tag = k == 0 ? "th" : "td";
-            html +=
-                fmt::format("<{}{}>{}", tag, k == 0 ? " scope=\"row\"" : "", escaped(row[k].text));
-            if (!row[k].note.empty()) html += "<small>" + escaped(row[k].note) + "</small>";
-            html += fmt::format("</{}>", tag);
-        }
-        html += "</tr>\n";
-    }
-    html += "</tbody>\n</table></div>\n";
-    if (!table.note.empty()) html += "<p class=\"note\">" + escaped(table.note) + "</p>\n";
-    return html + "</figure>\n";
 }
 
 std::string table_text(const Table& table)

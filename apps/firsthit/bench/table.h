@@ -31,9 +31,6 @@ Cell cell(const Quartiles& values);
 /// A number that is missing, and why.
 Cell missing_cell(const std::string& reason);
 
-/// <figure> with a table; all texts are escaped.
-std::string table_html(const Table& table);
-
 /// Columns for a terminal, notes in brackets.
 std::string table_text(const Table& table);
 

@@ -6,7 +6,6 @@
 #include "bench/baseline_tables.h"
 #include "bench/baseline.h"
 #include "bench/picture_difference.h"
-#include "bench/well_formed.h"
 
 #include <firsthit/error.h>
 
@@ -99,36 +98,37 @@ TEST(Baselines, AQuickRunHasItsSweepsAndWhatIsAsked)
     EXPECT_TRUE(gpu.contains("ratio") || gpu.contains("unavailable"));
 }
 
-TEST(Baselines, ThePageIsWellFormed)
+TEST(Baselines, ThePageShowsItsTablesAndCurves)
 {
-    EXPECT_EQ(xml_error(quick_report().page.html()), "");
-    const std::string html = quick_report().page.html();
+    const std::string page = to_text(quick_report().page.json());
     for (const char* const text : {"Asked and measured", "Frame time against pixels",
              "Frame time against the share", "Pixels that are not Embree"})
-        EXPECT_EQ(html.find(text) != std::string::npos,
+        EXPECT_EQ(page.find(text) != std::string::npos,
             has_embree() || !std::string(text).starts_with("Pixels"))
             << text;
     EXPECT_NE(
         quick_report().text.find("Whole frames, milliseconds: 64x48, 1 thread"), std::string::npos);
 }
 
-TEST(Baselines, TablesAreAsWideAsTheirHeads)
+TEST(Baselines, TablesAreAsWideAsTheirHeadsAndCurvesHaveAYForEveryX)
 {
-    const std::string html = quick_report().page.html();
-    for (std::size_t at = html.find("<table>"); at != std::string::npos;
-         at = html.find("<table>", at + 1)) {
-        const std::string table = html.substr(at, html.find("</table>", at) - at);
-        const auto count = [&](const std::string& text, const std::string& word) {
-            std::size_t found = 0;
-            for (std::size_t k = text.find(word); k != std::string::npos;
-                 k = text.find(word, k + 1))
-                ++found;
-            return found;
-        };
-        const std::size_t head = count(table, "scope=\"col\""), rows = count(table, "<tr>") - 1;
-        EXPECT_EQ(count(table, "<td>") + count(table, "scope=\"row\""), head * rows)
-            << table.substr(0, 300);
+    std::size_t tables = 0, curves = 0;
+    const Json page = quick_report().page.json();
+    for (const Json& part : page["parts"]) {
+        if (part.contains("table")) {
+            for (const Json& row : part["table"]["rows"])
+                EXPECT_EQ(row.size(), part["table"]["head"].size()) << part["table"]["title"];
+            ++tables;
+        }
+        if (part.contains("curves")) {
+            for (const Json& series : part["curves"]["series"])
+                for (const char* const column : {"y", "lower", "upper"})
+                    EXPECT_EQ(series[column].size(), series["x"].size()) << series["name"];
+            ++curves;
+        }
     }
+    EXPECT_GE(tables, 10u);
+    EXPECT_GE(curves, 3u);
 }
 
 TEST(Baselines, AMissingSceneIsToldAndTheOthersAreMeasured)
