@@ -128,7 +128,7 @@ TEST(Baselines, TablesAreAsWideAsTheirHeadsAndCurvesHaveAYForEveryX)
         }
     }
     EXPECT_GE(tables, 10u);
-    EXPECT_GE(curves, 3u);
+    EXPECT_GE(curves, 2u);
 }
 
 TEST(Baselines, AMissingSceneIsToldAndTheOthersAreMeasured)
