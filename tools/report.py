@@ -6,7 +6,7 @@
 `firsthit bench -o DIR` runs it by itself. It needs Python 3.8 or newer and no packages. The page needs nothing
 beside itself: plots are SVG elements, pictures are embedded, there is no script, font or address in it.
 
-Input. bench.json has what was measured, for programs to read ("machine", "quick", "paper", "peers"), and as
+Input. bench.json has what was measured, for programs to read ("machine", "quick", "paper", "baseline"), and as
 "page" what is to be shown. Nothing but "page" is read here:
 
     "page": {"title": text, "parts": [part, ...]}     the parts from top to bottom, each of one member:

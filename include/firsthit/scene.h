@@ -185,7 +185,7 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
     std::vector<glm::vec3> normal = {}, std::vector<glm::vec2> uv = {});
 
 /// Poses the scene at a time, clamped to nothing: tracks clamp themselves. Deterministic, whatever
-/// the number of threads; writes into `world` and allocates nothing once its sizes have decided.
+/// the number of threads; writes into `world` and allocates nothing once its sizes have settled.
 /// A part of an invisible node collapses to a point, which no ray hits. A scene without a camera
 /// gets framing_camera's.
 ///

@@ -1,4 +1,4 @@
-// pool.cpp - threads that help with loops, and stay awake between them.
+// thread_pool.cpp - threads that help with loops, and stay awake between them.
 #include "base/thread_pool.h"
 
 #include <algorithm>

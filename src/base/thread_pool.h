@@ -1,4 +1,4 @@
-// pool.h - threads that help with loops, and stay awake between them.
+// thread_pool.h - threads that help with loops, and stay awake between them.
 #pragma once
 
 #include <atomic>
@@ -48,7 +48,7 @@ class ThreadPool {
     std::exception_ptr error_;
     std::atomic<bool> runs_{false};
     Work work_{};
-    /// Whether the loop is open to helpers, how many came in, and its number; see pool.cpp.
+    /// Whether the loop is open to helpers, how many came in, and its number; see thread_pool.cpp.
     std::atomic<std::uint32_t> state_{0};
     std::atomic<std::uint32_t> left_{0}; // of those who came in
     std::atomic<bool> ends_{false};

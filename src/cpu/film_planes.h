@@ -9,8 +9,8 @@ namespace firsthit {
 /// Where a tile lies in the picture.
 struct TilePlace {
     const ViewMemory& view;
-    Region part;   // the pixels that the view's pencil occluders
-    Region region; // the pixels that the film occluders
+    Region part;   // the pixels that the view's pencil covers
+    Region region; // the pixels that the film covers
     int samples;   // on a pixel's side
     int tile;
     /// Samples that have no colour of their own, a word for each block of the tile; empty: none.

@@ -27,7 +27,7 @@ struct GpuOptions {
 };
 
 /// Buffers, textures and programs of the engine, kept from frame to frame: nothing is created once
-/// sizes have decided. To be made, used and deleted with its context current.
+/// sizes have settled. To be made, used and deleted with its context current.
 class GpuFrame {
   public:
     /// throws  DeviceError: see link_program

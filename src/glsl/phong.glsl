@@ -60,7 +60,7 @@ FIRSTHIT_PURE real highlight(
 
 /// What one light adds.
 FIRSTHIT_PURE real3 reflected(
-    real3 light, real3 diffuse, real cosine, real3 specular, real specular)
+    real3 light, real3 diffuse, real cosine, real3 specular, real specular_weight)
 {
-    return light * (diffuse * cosine + specular * specular);
+    return light * (diffuse * cosine + specular * specular_weight);
 }

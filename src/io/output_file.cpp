@@ -1,7 +1,7 @@
 // output_file.cpp - a file that appears whole or not at all.
 #include "io/output_file.h"
 
-#include "film/file_identity.h"
+#include "io/file_identity.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>

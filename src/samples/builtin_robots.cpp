@@ -19,8 +19,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kEnd = 10.0;        // s
 constexpr double kGround = 160.0;    // m from the middle to the ground's edge
 constexpr int kGroundQuads = 12;     // on a side
-constexpr double kTextureSize = 4.0; // m that the texture occluders once
-constexpr double kWall = 9.5;        // m from the middle to the occluders
+constexpr double kTextureSize = 4.0; // m that the texture covers once
+constexpr double kWall = 9.5;        // m from the middle to the walls
 
 Material painted(const char* name, const glm::vec3& color, float specular, float shininess)
 {
@@ -59,7 +59,7 @@ void add_ground(SceneBuilder& builder, std::int32_t node)
     builder.add_part(node, builder.add_material(tiles), std::move(ground), std::move(uv));
 }
 
-/// A column with a lamp in the middle, low occluders and bollards around.
+/// A column with a lamp in the middle, low walls and bollards around.
 void add_props(SceneBuilder& builder, std::int32_t node)
 {
     const std::uint32_t stone =

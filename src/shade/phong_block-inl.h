@@ -87,10 +87,11 @@ HWY_INLINE real3 phong(
         }
 
         const real cosine = n_dot_l(points.normal, to_light);
-        const real specular = !glossy ? real(0.0f)
-                                      : highlight(points.normal, points.to_eye, to_light, cosine,
-                                            exponent.whole, exponent.value);
-        const real3 added = reflected(from_glm(light.color), diffuse, cosine, specular, specular);
+        const real specular_weight = !glossy ? real(0.0f)
+                                             : highlight(points.normal, points.to_eye, to_light,
+                                                   cosine, exponent.whole, exponent.value);
+        const real3 added =
+            reflected(from_glm(light.color), diffuse, cosine, specular, specular_weight);
         if (lit || light.kind == Light::Kind::spot)
             // Lanes without light stay as they are where other lanes have some.
             color = select3(share > real(0.0f), color + added * share, color);

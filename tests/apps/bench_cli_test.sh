@@ -46,7 +46,7 @@ expect_page()
 quick=(--quick --size 48x32 --scenes 'no & <where>')
 
 expect 0 'Robert and Schoepke' --help
-expect 2 'nothing is asked for: say --paper, --peers or both'
+expect 2 'nothing is asked for: say --paper, --baseline or both'
 expect 2 'Run firsthit bench --help' --paper --fast
 expect 2 '--rounds' --paper --rounds 0
 expect 1 'nothing/Robot.aff: cannot be read' --paper --bart nothing/Robot.aff
@@ -56,7 +56,7 @@ expect 1 'is no folder' --paper -o file
 expect 1 'is no folder' --paper -o file/below
 expect_files file
 echo x >broken.aff
-for mode in --paper --peers; do
+for mode in --paper --baseline; do
     expect 1 'broken.aff:2:' "$mode" "${quick[@]}" --bart broken.aff -o new/deep
     checks=$((checks + 1))
     [ ! -e new ] || fail "bench $mode leaves an empty folder behind"
@@ -106,14 +106,14 @@ with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' 
 expect_files
 
 # Beside Embree.
-expect 0 'Asked and measured' --peers "${quick[@]}" -o peers
+expect 0 'Asked and measured' --baseline "${quick[@]}" -o peers
 grep -q "Whole frames, milliseconds: 48x32, 1 thread" stdout || fail "no table of frames is printed"
 with_python 'import json, sys
-for row in json.load(open(sys.argv[1]))["peers"]["rows"]:
+for row in json.load(open(sys.argv[1]))["baseline"]["rows"]:
     if row["threads"] == 1 and "embree_unavailable" not in row:
-        assert row["pictures"]["exact"]["pixels"] == 48 * 32' peers/bench.json
-expect_page peers/index.html
-expect_files peers/bench.json peers/index.html
+        assert row["pictures"]["exact"]["pixels"] == 48 * 32' baseline/bench.json
+expect_page baseline/index.html
+expect_files baseline/bench.json baseline/index.html
 
 # Stopped in the middle, no half page is left.
 "$program" bench --paper --size 512x512 --scenes nowhere -o out >stdout 2>stderr &

@@ -55,7 +55,7 @@ TEST(Scale, EveryPixelOfAMillionTrianglesSeesItsOwn)
 
 TEST(Scale, DropsNoneOfTwoHundredThousandFacesInOneTile)
 {
-    // Every face occluders all of a 32x32 picture, each nearer than the one before.
+    // Every face covers all of a 32x32 picture, each nearer than the one before.
     TestWorld world;
     const std::uint32_t count = 200000;
     for (std::uint32_t k = 0; k < count; ++k) {

@@ -32,7 +32,7 @@ glm::vec3 seen_at(float x, float y, float z)
     return {x * z, y * z, z};
 }
 
-/// The area that a triangle occluders.
+/// The area that a triangle covers.
 float samples_of(const Corners& c)
 {
     const auto x = [&](int k) { return c[std::size_t(k)].x / c[std::size_t(k)].z; };

@@ -37,13 +37,13 @@ void main()
     vec3 p = hit_position(vec3(0), d, 3.0);
     vec3 n = visible_normal(p, vec3(0, 0, 1), unit(-d));
     float cosine = n_dot_l(n, vec3(0, 1, 0));
-    float specular = highlight(n, unit(-d), vec3(0, 1, 0), cosine, -1, 7.5)
+    float specular_weight = highlight(n, unit(-d), vec3(0, 1, 0), cosine, -1, 7.5)
         + highlight(n, unit(-d), vec3(0, 1, 0), cosine, 4, 4.0);
     Texels texels = bilinear_texels(repeat(p.x), 1.0 - p.y, 64.0, level_size(32.0, p.z));
     TexelWeights weights = texel_weights(texels, whole_weight());
     float level = mip_level(footprint2(p.x, p.y, 3.0, vec2(1), vec2(2), vec2(3), vec2(64)), 5.0);
     if (is_shadowed(p.y, p.z, slope_bias(p.z, 1.5, 0.01))) cosine = 0.0;
-    vec3 lit = reflected(vec3(1), vec3(0.5), cosine, vec3(0.5), specular)
+    vec3 lit = reflected(vec3(1), vec3(0.5), cosine, vec3(0.5), specular_weight)
         * cone_share(versine(vec3(0, -1, 0), p), 0.5, 3.0);
     color = vec4(lit * level, texel_light(weights.top_left * texels.top));
 }

@@ -112,10 +112,10 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
         }
         if (!(share > 0)) continue;
         const real cosine = n_dot_l(normal, to_light);
-        const real specular =
+        const real specular_weight =
             highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
         color = color + reflected(from_glm(light.color), diffuse, cosine,
-                            from_glm(material.specular), specular) *
+                            from_glm(material.specular), specular_weight) *
                             share;
     }
     write(targets.position, position);

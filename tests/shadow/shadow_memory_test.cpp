@@ -1,4 +1,4 @@
-// shadow_memory_test.cpp - maps take no memory once their sizes have decided.
+// shadow_memory_test.cpp - maps take no memory once their sizes have settled.
 #include "allocations.h"
 #include "map_scenes.h"
 

@@ -73,7 +73,8 @@ void add_bench_options(CLI::App& app, BenchOptions& options)
 {
     app.add_flag("--paper", options.paper,
         "Measure what section 5 of Robert and Schoepke 2006 measures, beside the paper's numbers");
-    app.add_flag("--baseline", options.baseline, "Measure the cpu engine's frames beside Embree's");
+    app.add_flag(
+        "--baseline,--peers", options.baseline, "Measure the cpu engine's frames beside Embree's");
     app.add_option("-o,--output", options.output,
            "The page's folder, made where it is missing; default report, or no page with --json")
         ->type_name("DIR");

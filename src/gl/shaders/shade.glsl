@@ -46,11 +46,11 @@ vec3 shade(ivec2 sample_at, Hit hit, Surface surface)
         }
 
         float cosine = n_dot_l(surface.normal, to_light);
-        float specular = 0.0;
+        float specular_weight = 0.0;
         if (glossy)
-            specular = highlight(surface.normal, surface.to_eye, to_light, cosine,
+            specular_weight = highlight(surface.normal, surface.to_eye, to_light, cosine,
                 material.whole_shininess, material.shininess);
-        color += reflected(light.color, diffuse, cosine, material.specular, specular) * share;
+        color += reflected(light.color, diffuse, cosine, material.specular, specular_weight) * share;
     }
     return color;
 }

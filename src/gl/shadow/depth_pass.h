@@ -16,7 +16,7 @@ namespace firsthit::gl {
 /// Draws the triangles as a face of a light sees them, then stores their depths along the face's z
 /// (shadow/map/shadow_map.h), +inf where nothing is.
 ///
-/// limits  which texels a triangle occluders is the driver's say: corners are snapped, mostly to 1/256
+/// limits  which texels a triangle covers is the driver's say: corners are snapped, mostly to 1/256
 ///         of a texel
 /// source  Williams 1978; Robert and Schoepke 2006, section 3.2
 class DepthPass {

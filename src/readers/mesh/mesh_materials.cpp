@@ -45,8 +45,8 @@ std::vector<std::string> library_names(const std::string& line, const std::files
 }
 
 /// The first definition of a name counts.
-Library read_libraries(const RawMesh& raw, const std::string& name,
-    const std::filesystem::path& folder, Scene& scene)
+Library read_libraries(
+    const RawMesh& raw, const std::string& name, const std::filesystem::path& folder, Scene& scene)
 {
     Library library;
     std::unordered_set<std::string> seen;

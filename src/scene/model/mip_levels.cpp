@@ -19,7 +19,7 @@ glm::vec4 linear_pixel(std::uint32_t rgba, const std::array<float, 256>& light)
         static_cast<float>(rgba >> 24) / 255.0f};
 }
 
-/// Which pixels a smaller one occluders along one axis, and their shares. Half of an odd size 2n + 1
+/// Which pixels a smaller one covers along one axis, and their shares. Half of an odd size 2n + 1
 /// takes 2 + 1/n pixels: parts of the first and the last of three.
 struct Taps {
     int first = 0;

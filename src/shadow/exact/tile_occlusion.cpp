@@ -224,25 +224,24 @@ bool find_occluded_tiles(const World& world, const PencilSpace& space,
     std::span<const HitTile> tiles, TileOcclusion& tile_occlusion, Tasks& tasks)
 {
     look_at_tiles(space, tile_occlusion, tasks);
-    const auto occluders_of = [&](int face) {
+    const auto on_face = [&](int face) {
         return Occluders{world, space, cube_face(space.directional, face), {}};
     };
-    std::array occluders{occluders_of(0), occluders_of(1), occluders_of(2), occluders_of(3),
-        occluders_of(4), occluders_of(5)};
+    std::array faces{on_face(0), on_face(1), on_face(2), on_face(3), on_face(4), on_face(5)};
     for (int face = 0; face < kLightFaces; ++face) {
         SampleBounds bounds;
         for (const TileSight& sight : tile_occlusion.sights.span())
             if (sight.face == face) bounds.add(sight.bounds);
         if (bounds.x0 <= bounds.x1)
-            occluders[std::size_t(face)].occluders = occluders_of(world, space,
-                occluders[std::size_t(face)].face, bounds, tile_occlusion.occluders.span());
+            faces[std::size_t(face)].occluders = occluders_of(world, space,
+                faces[std::size_t(face)].face, bounds, tile_occlusion.occluders.span());
     }
     tile_occlusion.hidden.resize(tiles.size());
     tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
         const TileSight& sight = tile_occlusion.sights[tile];
         tile_occlusion.hidden[tile] =
             tile_occlusion.hulls[tile].empty ||
-            (sight.face >= 0 && occluders[std::size_t(sight.face)].hide(sight.bounds, tiles[tile]));
+            (sight.face >= 0 && faces[std::size_t(sight.face)].hide(sight.bounds, tiles[tile]));
     });
     const auto hidden = tile_occlusion.hidden.span();
     return std::find(hidden.begin(), hidden.end(), 0) == hidden.end();

@@ -1,6 +1,6 @@
 // dark_tile-inl.h - tiles that a map shows to be in shadow as a whole, without a look at its texels.
 //
-// Where a roof occluders what is seen, tile after tile is dark. The texels that a tile's hits look at lie
+// Where a roof covers what is seen, tile after tile is dark. The texels that a tile's hits look at lie
 // in some of the map's cells (store_depth.h): where the farthest depth of these cells is before all
 // hits, every comparison of is_shadowed says dark. Other tiles are left to the comparisons, so the
 // answer is always theirs. (That all is lit is seldom seen so: a lit surface is in the map itself.)

@@ -46,14 +46,14 @@ struct TileEntry {
     float nearest_z;
 };
 
-/// A sample that a tiny triangle occluders for certain. 12 bytes.
+/// A sample that a tiny triangle covers for certain. 12 bytes.
 struct Fragment {
     std::uint32_t place; // tile << 16 | offset in the tile, see tile_order.h
     std::uint32_t triangle;
     float w; // 1/t
 };
 
-/// A texel that a tiny triangle occluders. 8 bytes.
+/// A texel that a tiny triangle covers. 8 bytes.
 struct DepthFragment {
     std::uint32_t place; // as of Fragment
     float w;

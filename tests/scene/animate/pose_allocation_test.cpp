@@ -1,4 +1,4 @@
-// pose_allocation_test.cpp - posing allocates nothing once sizes have decided.
+// pose_allocation_test.cpp - posing allocates nothing once sizes have settled.
 #include "scene/animate/pose.h"
 
 #include "allocations.h"

@@ -235,7 +235,7 @@ TEST(MipLevels, AverageAlphaAsItIs)
 
 TEST(MipLevels, ShareTexelsOfOddSizesByTheirAreas)
 {
-    // 5 wide: each of two occluders 2.5 texels, the third one half each.
+    // 5 wide: each of two covers 2.5 texels, the third one half each.
     const Texture texture = texture_of(5, 1, {kBlack, kBlack, kWhite, kWhite, kWhite});
     ASSERT_EQ(texture.width(1), 2);
     EXPECT_NEAR(texture.color(1, 0, 0).r, 0.5 / 2.5, 2e-5);

@@ -1,5 +1,5 @@
 // file_identity.cpp - which file a path leads to, however it is spelled.
-#include "film/file_identity.h"
+#include "io/file_identity.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
