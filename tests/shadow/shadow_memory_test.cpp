@@ -1,6 +1,6 @@
 // shadow_memory_test.cpp - maps take no memory once their sizes have settled.
 #include "allocations.h"
-#include "map_scenes.h"
+#include "shadow/map/map_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // mtl_test.cpp - materials of OBJ files, and what happens without their libraries and textures.
 #include "readers/mesh/mtl.h"
+#include "scene/model/default_material.h"
 
 #include "message_of.h"
 #include "readers/mesh/mesh_text.h"

@@ -2,7 +2,7 @@
 #include "shadow/exact/tile_occlusion.h"
 
 #include "hits/hit_position.h"
-#include "hit_picture.h"
+#include "shadow/map/hit_picture.h"
 #include "instruction_sets.h"
 #include "rays/brute_shadows.h"
 #include "shadow/shadow_builder.h"

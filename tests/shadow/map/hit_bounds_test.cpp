@@ -1,6 +1,6 @@
 // hit_bounds_test.cpp - the rectangles of hits, against every hit in double.
 #include "instruction_sets.h"
-#include "map_scenes.h"
+#include "shadow/map/map_scenes.h"
 
 namespace firsthit::test {
 namespace {

@@ -1,6 +1,6 @@
 // sample_shadow_map_test.cpp - what maps say of hits, against rays in double through the texels' centres.
 #include "instruction_sets.h"
-#include "map_scenes.h"
+#include "shadow/map/map_scenes.h"
 
 #include <cstring>
 #include <functional>

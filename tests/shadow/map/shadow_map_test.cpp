@@ -1,5 +1,5 @@
 // shadow_map_test.cpp - which maps are made, and when.
-#include "map_scenes.h"
+#include "shadow/map/map_scenes.h"
 
 #include <gtest/gtest.h>
 
