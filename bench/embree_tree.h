@@ -41,7 +41,7 @@ class EmbreeTree {
 
     /// shadowed[id] = 1 for the chunk's points that are. to_sky  null: from the light at the origin
     /// to the points; else from the points along it.
-    void test(const LightChunk& chunk, const glm::vec3* to_sky, std::uint8_t* shadowed) const
+    void test(const PointChunk& chunk, const glm::vec3* to_sky, std::uint8_t* shadowed) const
     {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);

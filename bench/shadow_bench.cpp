@@ -122,13 +122,13 @@ void measure(const std::string& argument, const Options& options)
     // The points of all tiles and the first light, for Embree.
     PencilMesh mesh;
     const PencilSpace space = light_space(world.lights[0], view.camera.eye);
-    see_from_light(space, world.position, scene.index, mesh, tasks);
+    make_pencil_mesh(space, world.position, scene.index, mesh, tasks);
     const EmbreeTree tree(mesh, options.threads);
-    std::vector<std::unique_ptr<LightChunk>> chunks;
+    std::vector<std::unique_ptr<PointChunk>> chunks;
     std::vector<std::uint8_t> theirs(memory.tiles.size() * samples);
     TileReceivers receivers;
     for (std::size_t tile = 0; tile < memory.tiles.size(); ++tile) {
-        chunks.push_back(std::make_unique<LightChunk>());
+        chunks.push_back(std::make_unique<PointChunk>());
         chunks.back()->reserve(samples);
         std::vector<std::uint64_t> chosen(samples / 64);
         find_receivers(mesh, memory.tiles[tile], receivers);

@@ -92,13 +92,13 @@ void measure(const std::string& argument, const Options& options)
 
     // Embree in world space: a light at the origin.
     PencilMesh mesh;
-    see_from_light(PencilSpace{}, world.position, scene.index, mesh, tasks);
+    make_pencil_mesh(PencilSpace{}, world.position, scene.index, mesh, tasks);
     const EmbreeTree tree(mesh, options.threads);
     constexpr std::size_t kChunk = 4096;
-    std::vector<std::unique_ptr<LightChunk>> chunks;
+    std::vector<std::unique_ptr<PointChunk>> chunks;
     for (std::size_t first = 0; first < points.size(); first += kChunk) {
-        chunks.push_back(std::make_unique<LightChunk>());
-        LightChunk& chunk = *chunks.back();
+        chunks.push_back(std::make_unique<PointChunk>());
+        PointChunk& chunk = *chunks.back();
         chunk.reserve(kChunk);
         chunk.count = std::min(kChunk, points.size() - first);
         for (std::size_t k = 0; k < chunk.count; ++k) {

@@ -36,8 +36,8 @@ ShadowPlane::ShadowPlane(const PencilMesh& mesh, std::uint32_t triangle)
       reach_(double(mesh.space.reach))
 {
     const Corners corners = mesh.corners(triangle);
-    const dvec3 a(mesh.face.seen_from(corners[0])), b(mesh.face.seen_from(corners[1])),
-        c(mesh.face.seen_from(corners[2]));
+    const dvec3 a(mesh.face.to_face_axes(corners[0])), b(mesh.face.to_face_axes(corners[1])),
+        c(mesh.face.to_face_axes(corners[2]));
     const dvec3 p = b - a, q = c - a;
     const Sized nx = minor(p.y, p.z, q.y, q.z), ny = minor(p.z, p.x, q.z, q.x),
                 nz = minor(p.x, p.y, q.x, q.y);
@@ -64,7 +64,7 @@ ShadowPlane::ShadowPlane(const PencilMesh& mesh, std::uint32_t triangle)
     }
 }
 
-Certain ShadowPlane::behind(float x, float y, float w) const
+Verdict ShadowPlane::classify(float x, float y, float w) const
 {
     const double dx = double(x) - x_, dy = double(y) - y_, size = std::abs(double(w));
     const double ahead = wx_ * dx + wy_ * dy + wc_ - double(w);
@@ -80,9 +80,9 @@ Certain ShadowPlane::behind(float x, float y, float w) const
     const double margin = double(kShadowMargin) * of_point + corner_margin_ * per_margin;
     const double room = kMarginRoom * margin + 2 * kMarginUnderflow * per_margin;
     // Comparisons with what is no number are false: nothing is certain then.
-    if (ahead - error > length_ * (margin + room)) return Certain::shadowed;
-    if (ahead + error < length_ * (margin - room)) return Certain::lit;
-    return Certain::no;
+    if (ahead - error > length_ * (margin + room)) return Verdict::shadowed;
+    if (ahead + error < length_ * (margin - room)) return Verdict::lit;
+    return Verdict::undecided;
 }
 
 } // namespace firsthit

@@ -12,7 +12,7 @@
 namespace firsthit {
 
 /// What a filter says.
-enum class Certain { no, shadowed, lit };
+enum class Verdict { undecided, shadowed, lit };
 
 /// A triangle's plane in a light's face. In double, for samples whose coordinates are single
 /// roundings (samples.h); divided by what is positive, is_shadowed asks whether
@@ -25,7 +25,7 @@ class ShadowPlane {
     ShadowPlane(const PencilMesh& mesh, std::uint32_t triangle);
 
     /// For a sample whose ray hits the triangle.
-    Certain behind(float x, float y, float w) const;
+    Verdict classify(float x, float y, float w) const;
 
   private:
     bool directional_;

@@ -10,7 +10,7 @@ constexpr std::size_t kManyTriangles = 128; // where there are more than these t
 
 /// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
 /// where large triangles would be copied too often.
-void sort(const PencilMesh& mesh, std::span<const IrregularSample> samples,
+void sort_into_cells(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SampleRange> sample_ranges, std::size_t sample_count,
     std::span<const ProjectedTriangle> triangles, std::span<const SampleRange> triangle_ranges,
     const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
@@ -25,101 +25,101 @@ void sort(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     sort_samples(samples, sample_ranges, cells, tasks);
 }
 
-void mark(std::span<const IrregularSample> samples, std::span<std::uint8_t> shadowed)
+void mark_shadowed(std::span<const IrregularSample> samples, std::span<std::uint8_t> shadowed)
 {
     for (const IrregularSample& sample : samples) shadowed[sample.id] = 1;
 }
 
-bool is_divided(const IrregularCells& cells, std::size_t cell)
+bool should_divide(const IrregularCells& cells, std::size_t cell)
 {
     return cells.samples_of(cell).size() > kManySamples &&
-           cells.seen.of(cell).size() > kManyTriangles;
+           cells.bins.of(cell).size() > kManyTriangles;
 }
 
 /// A cell by itself, or divided into smaller ones.
-void test_cell(const PencilMesh& mesh, const OccluderList& occluders, const IrregularCells& cells,
-    std::size_t cell, int level, const LightPoints& points, CellWorker& worker, Tasks& serial,
-    std::span<std::uint8_t> shadowed)
+void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
+    const IrregularCells& cells, std::size_t cell, int level, const PencilPoints& points,
+    CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
 {
     const auto samples = cells.samples_of(cell);
-    const auto triangles = cells.seen.of(cell);
+    const auto triangles = cells.bins.of(cell);
     if (samples.empty() || triangles.empty()) return;
     const SampleBounds bounds = bounds_of(samples);
-    if (is_covered(mesh, occluders, bounds, samples, points)) {
-        mark(samples, shadowed);
+    if (is_occluded(mesh, occluders, bounds, samples, points)) {
+        mark_shadowed(samples, shadowed);
         return;
     }
-    if (level == kCellLevels || !is_divided(cells, cell)) {
+    if (level == kCellLevels || !should_divide(cells, cell)) {
         test_cell(
-            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.leaf, shadowed);
+            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.kernel, shadowed);
         return;
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
-    sort(mesh, samples, {&all_samples, 1}, samples.size(), triangles, {&all_triangles, 1}, bounds,
-        inner, serial);
+    sort_into_cells(mesh, samples, {&all_samples, 1}, samples.size(), triangles,
+        {&all_triangles, 1}, bounds, inner, serial);
     if (inner.grid.cells() == 1) { // all in one place
         test_cell(
-            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.leaf, shadowed);
+            mesh, {samples, bounds, triangles, occluders.span()}, points, worker.kernel, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
-        test_cell(mesh, occluders, inner, k, level + 1, points, worker, serial, shadowed);
+        test_or_divide_cell(mesh, occluders, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
 /// Takes the patches out that one triangle shadows.
-void find_covered(const PencilMesh& mesh, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const LightPoints& points, IrregularMemory& memory, Tasks& tasks)
+void find_occluded_patches(const PencilMesh& mesh, std::span<const SamplePatch> patches,
+    const SampleBounds& bounds, const PencilPoints& points, IrregularMemory& memory, Tasks& tasks)
 {
-    memory.covered.resize(patches.size());
-    memory.open.resize(patches.size());
-    memory.is_covered.resize(patches.size());
-    memory.occluders = find_occluders(
+    memory.occluded.resize(patches.size());
+    memory.remaining.resize(patches.size());
+    memory.is_occluded.resize(patches.size());
+    memory.occluders = find_face_occluders(
         mesh, memory.triangle_ranges.span(), bounds, memory.occluders_of_range, tasks);
     tasks.for_each(patches.size(), [&](std::size_t k, std::size_t) {
         const SamplePatch& patch = patches[k];
         const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
-        memory.is_covered[k] =
-            !samples.empty() && is_covered(mesh, memory.occluders, patch.bounds, samples, points);
+        memory.is_occluded[k] =
+            !samples.empty() && is_occluded(mesh, memory.occluders, patch.bounds, samples, points);
     });
-    std::size_t covered = 0, open = 0;
+    std::size_t occluded = 0, remaining = 0;
     for (std::size_t k = 0; k < patches.size(); ++k) {
         if (patches[k].range.count == 0) continue;
-        if (memory.is_covered[k])
-            memory.covered[covered++] = patches[k].range;
+        if (memory.is_occluded[k])
+            memory.occluded[occluded++] = patches[k].range;
         else
-            memory.open[open++] = patches[k];
+            memory.remaining[remaining++] = patches[k];
     }
-    memory.covered.resize(covered);
-    memory.open.resize(open);
+    memory.occluded.resize(occluded);
+    memory.remaining.resize(remaining);
 }
 
 /// The samples that are to be sorted.
-struct Loose {
+struct LooseSamples {
     std::size_t count = 0;
     SampleBounds bounds;
 };
 
 /// Splits the patches that are left into those that stay together and samples to be sorted.
-Loose split_patches(
+LooseSamples split_patches(
     const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
 {
     const auto compact = [&](const SamplePatch& patch) {
         return keep_compact && is_compact(patch, bounds, triangles);
     };
     std::size_t all = 0, compact_samples = 0;
-    for (const SamplePatch& patch : memory.open.span()) {
+    for (const SamplePatch& patch : memory.remaining.span()) {
         all += patch.range.count;
         if (compact(patch)) compact_samples += patch.range.count;
     }
     // For few samples it does not pay to look at all triangles once more.
     const bool worth_it = 4 * compact_samples > all;
 
-    Loose left;
+    LooseSamples left;
     std::size_t patches = 0, ranges = 0;
-    memory.patches.patches.resize(memory.open.size());
-    memory.loose.resize(memory.open.size());
-    for (const SamplePatch& patch : memory.open.span()) {
+    memory.patches.patches.resize(memory.remaining.size());
+    memory.loose.resize(memory.remaining.size());
+    for (const SamplePatch& patch : memory.remaining.span()) {
         if (worth_it && compact(patch)) {
             memory.patches.patches[patches++] = patch;
         } else {
@@ -145,21 +145,21 @@ void prepare_workers(IrregularMemory& memory, int threads)
     for (std::size_t cell = 0; cell < std::size_t(memory.cells.grid.cells()); ++cell) {
         const std::size_t count = memory.cells.samples_of(cell).size();
         samples = std::max(samples, count);
-        if (!is_divided(memory.cells, cell)) continue;
+        if (!should_divide(memory.cells, cell)) continue;
         divided = std::max(divided, count);
-        triangles = std::max(triangles, memory.cells.seen.of(cell).size());
+        triangles = std::max(triangles, memory.cells.bins.of(cell).size());
     }
     for (const auto& worker : memory.workers) {
-        reserve(worker->leaf, samples);
+        reserve(worker->kernel, samples);
         IrregularCells& inner = worker->level[0];
         inner.samples.resize(divided, divided / 4);
         inner.cell_of.resize(divided + 16, divided / 4);
         inner.rect_of.resize(triangles + 16, triangles / 4);
-        inner.seen.triangles.resize(2 * triangles, triangles);
+        inner.bins.triangles.resize(2 * triangles, triangles);
         if (divided == 0) continue;
-        for (auto* starts : {&inner.sample_start, &inner.seen.start})
+        for (auto* starts : {&inner.sample_start, &inner.bins.start})
             starts->resize(divided / kCellSamples + 2, 1024);
-        for (auto* cursor : {&inner.cursor, &inner.seen.cursor})
+        for (auto* cursor : {&inner.cursor, &inner.bins.cursor})
             cursor->resize(divided / kCellSamples + 2, 4096);
     }
 }
@@ -167,51 +167,51 @@ void prepare_workers(IrregularMemory& memory, int threads)
 } // namespace
 
 void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const PencilPoints& points,
     IrregularMemory& memory, Tasks& tasks)
 {
     memory.samples = samples;
     memory.triangle_ranges.resize(mesh.range_count.size());
     std::size_t count = 0;
     for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
-        memory.triangle_ranges[k] = {k * kLightRange, mesh.range_count[k]};
+        memory.triangle_ranges[k] = {k * kMeshRange, mesh.range_count[k]};
         count += mesh.range_count[k];
     }
-    find_covered(mesh, patches, bounds, points, memory, tasks);
+    find_occluded_patches(mesh, patches, bounds, points, memory, tasks);
 
     const auto triangles = mesh.in_view.span();
     const auto ranges = memory.triangle_ranges.span();
-    Loose loose = split_patches(bounds, count, true, memory);
+    LooseSamples loose = split_patches(bounds, count, true, memory);
     if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
         // Too many large triangles: everything is sorted, into as few cells as need be.
         loose = split_patches(bounds, count, false, memory);
         bin_patches(triangles, ranges, bounds, memory.patches, tasks);
     }
-    sort(mesh, samples, memory.loose.span(), loose.count, triangles, ranges, loose.bounds,
-        memory.cells, tasks);
+    sort_into_cells(mesh, samples, memory.loose.span(), loose.count, triangles, ranges,
+        loose.bounds, memory.cells, tasks);
 }
 
-void test_face(const PencilMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+void test_face(const PencilMesh& mesh, const PencilPoints& points, IrregularMemory& memory,
     Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     prepare_workers(memory, tasks.threads());
-    tasks.for_each(memory.covered.size(), [&](std::size_t k, std::size_t) {
-        const SampleRange& range = memory.covered[k];
-        mark(memory.samples.subspan(range.first, range.count), shadowed);
+    tasks.for_each(memory.occluded.size(), [&](std::size_t k, std::size_t) {
+        const SampleRange& range = memory.occluded[k];
+        mark_shadowed(memory.samples.subspan(range.first, range.count), shadowed);
     });
     const PatchMemory& patches = memory.patches;
     tasks.for_each(patches.patches.size(), [&](std::size_t k, std::size_t worker) {
         const SampleRange& range = patches.patches[k].range;
-        const auto triangles = patches.seen.of(k);
+        const auto triangles = patches.bins.of(k);
         if (!triangles.empty())
             test_cell(mesh,
                 {memory.samples.subspan(range.first, range.count), patches.patches[k].bounds,
                     triangles, memory.occluders.span()},
-                points, memory.workers[worker]->leaf, shadowed);
+                points, memory.workers[worker]->kernel, shadowed);
     });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
-        test_cell(mesh, memory.occluders, cells, cell, 0, points, *memory.workers[worker],
+        test_or_divide_cell(mesh, memory.occluders, cells, cell, 0, points, *memory.workers[worker],
             memory.serial, shadowed);
     });
 }

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "irregular/cells/cells.h"
-#include "irregular/cells/occluders.h"
+#include "irregular/cells/occluded_samples.h"
 #include "irregular/cells/cell_kernel.h"
 #include "irregular/cells/patches.h"
 
@@ -28,37 +28,37 @@ inline constexpr int kCellLevels = 6;
 
 /// One worker's memory.
 struct CellWorker {
-    CellKernelMemory leaf;
+    CellKernelMemory kernel;
     std::array<IrregularCells, kCellLevels> level;
 };
 
 /// Kept from frame to frame.
 struct IrregularMemory {
     std::span<const IrregularSample> samples;
-    OccluderList occluders;
-    Buffer<OccluderList> occluders_of_range;
+    FaceOccluders occluders;
+    Buffer<FaceOccluders> occluders_of_range;
     PatchMemory patches;
     IrregularCells cells;
-    Buffer<SamplePatch> open;        // patches that are not
-    Buffer<std::uint8_t> is_covered; // (patches) while these are told apart
-    Buffer<SampleRange> loose;       // samples that go to the cells
-    Buffer<SampleRange> covered;     // samples that one triangle shadows, all of a patch
+    Buffer<SamplePatch> remaining;    // patches that are not
+    Buffer<std::uint8_t> is_occluded; // (patches) while these are told apart
+    Buffer<SampleRange> loose;        // samples that go to the cells
+    Buffer<SampleRange> occluded;     // samples that one triangle shadows, all of a patch
     std::vector<std::unique_ptr<CellWorker>> workers;
     Buffer<SampleRange> triangle_ranges;
     Tasks serial{1};
 };
 
-/// Sorts the samples of one face, and the triangles that project_through_face found for the same
+/// Sorts the samples of one face, and the triangles that find_triangles_in_view found for the same
 /// bounds.
 /// patches  of `samples`; no two samples have the same id
 /// bounds   of all of them
 void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, const LightPoints& points,
+    std::span<const SamplePatch> patches, const SampleBounds& bounds, const PencilPoints& points,
     IrregularMemory& memory, Tasks& tasks);
 
 /// Tests what was sorted: shadowed[id] = 1 for the samples that are shadowed, no other is written.
 /// Adds to the workers' counts.
-void test_face(const PencilMesh& mesh, const LightPoints& points, IrregularMemory& memory,
+void test_face(const PencilMesh& mesh, const PencilPoints& points, IrregularMemory& memory,
     Tasks& tasks, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit

@@ -11,7 +11,7 @@ int wide_face(const World& world, const Light& light)
 {
     Tasks tasks(1);
     PencilMesh mesh;
-    see_from_light(
+    make_pencil_mesh(
         light_space(light, glm::dvec3(0)), world.position, world.scene->index, mesh, tasks);
     return mesh.wide_face;
 }

@@ -17,9 +17,9 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// The box as offsets from (x, y).
-HWY_INLINE ProjectedTriangle moved(const ProjectedTriangle& seen, float x, float y)
+HWY_INLINE ProjectedTriangle moved(const ProjectedTriangle& box, float x, float y)
 {
-    return {seen.triangle, seen.x0 - x, seen.y0 - y, seen.x1 - x, seen.y1 - y, seen.nearest_w};
+    return {box.triangle, box.x0 - x, box.y0 - y, box.x1 - x, box.y1 - y, box.nearest_w};
 }
 
 /// The slots of sixteen triangles, a row for each side of the box and the depth.
@@ -30,7 +30,7 @@ struct SlotRegister {
 /// Fills in the slots of up to sixteen triangles. Returns those that may shadow a sample inside the
 /// bounds, a bit each.
 HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles,
-    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& seen)
+    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& found)
 {
     const Group d;
     const hn::RebindToSigned<Group> w;
@@ -42,77 +42,77 @@ HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles
     };
     std::uint32_t chosen = 0;
     for (int k = 0; k < kGroup; k += lanes) {
-        const ProjectedTriangles box = load_seen(triangles, std::size_t(k));
-        chosen |= std::uint32_t(bits(d, may_shadow(box, bounds))) << k;
+        const ProjectedTriangles box = load_projected(triangles, std::size_t(k));
+        chosen |= std::uint32_t(bits(d, may_hit(box, bounds))) << k;
         const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
-        hn::Store(slot_of(hn::Sub(box.x0, x), slots.x), w, seen.slot[0] + k);
-        hn::Store(slot_of(hn::Sub(box.y0, y), slots.y), w, seen.slot[1] + k);
-        hn::Store(slot_of(hn::Sub(box.x1, x), slots.x), w, seen.slot[2] + k);
-        hn::Store(slot_of(hn::Sub(box.y1, y), slots.y), w, seen.slot[3] + k);
-        hn::Store(slot_of(box.nearest_w, slots.w), w, seen.slot[4] + k);
+        hn::Store(slot_of(hn::Sub(box.x0, x), slots.x), w, found.slot[0] + k);
+        hn::Store(slot_of(hn::Sub(box.y0, y), slots.y), w, found.slot[1] + k);
+        hn::Store(slot_of(hn::Sub(box.x1, x), slots.x), w, found.slot[2] + k);
+        hn::Store(slot_of(hn::Sub(box.y1, y), slots.y), w, found.slot[3] + k);
+        hn::Store(slot_of(box.nearest_w, slots.w), w, found.slot[4] + k);
     }
     if (triangles.size() < kGroup) chosen &= (1u << triangles.size()) - 1;
     return chosen;
 }
 
 /// The groups that are not shadowed and that the triangle may shadow.
-HWY_INLINE bool meets_groups(const CellKernelMemory& leaf, const ProjectedSlots& reach)
+HWY_INLINE bool overlaps_open_group(const CellKernelMemory& kernel, const TriangleSlots& box)
 {
     std::uint64_t any = 0;
-    for (const OverlapTable& table : leaf.table.span()) any |= table.of(reach);
+    for (const OverlapTable& table : kernel.table.span()) any |= table.of(box);
     return any != 0;
 }
 
-HWY_INLINE void add_to_batch(const CellTest& cell, std::uint32_t triangle,
-    const ProjectedSlots& reach, CellKernelMemory& leaf)
+HWY_INLINE void add_to_batch(const CellTest& cell, std::uint32_t triangle, const TriangleSlots& box,
+    CellKernelMemory& kernel)
 {
-    CellBatch& batch = leaf.batch;
+    CellBatch& batch = kernel.batch;
     batch.triangle[batch.count] = triangle;
-    batch.slots[batch.count] = reach;
-    if (++batch.count == kCellBatch) test_batch(cell, leaf);
+    batch.slots[batch.count] = box;
+    if (++batch.count == kCellBatch) test_batch(cell, kernel);
 }
 
-void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory& leaf)
+void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory& kernel)
 {
     // Boxes as offsets from the middle, like the samples.
-    const float xm = leaf.middle_x, ym = leaf.middle_y;
-    const SampleBounds& b = leaf.bounds;
+    const float xm = kernel.middle_x, ym = kernel.middle_y;
+    const SampleBounds& b = kernel.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
-    fill_groups(cell.samples, slots, leaf);
+    fill_groups(cell.samples, slots, kernel);
 
-    for (const ProjectedTriangle& seen : work.first)
-        if (may_shadow(seen, b))
-            add_to_batch(cell, seen.triangle, {moved(seen, xm, ym), slots}, leaf);
-    test_batch(cell, leaf);
+    for (const ProjectedTriangle& box : work.occluders)
+        if (may_hit(box, b)) add_to_batch(cell, box.triangle, {moved(box, xm, ym), slots}, kernel);
+    test_batch(cell, kernel);
     std::uint64_t open = 0;
-    for (const OverlapTable& table : leaf.table.span()) open |= table.open;
+    for (const OverlapTable& table : kernel.table.span()) open |= table.open;
     if (!open) return;
 
-    SlotRegister seen;
+    SlotRegister found;
     for (std::size_t first = 0; first < work.triangles.size(); first += kGroup) {
         const auto some = work.triangles.subspan(
             first, std::min<std::size_t>(kGroup, work.triangles.size() - first));
-        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, seen); rest;
+        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, found); rest;
              rest &= rest - 1) {
             const std::size_t k = std::size_t(std::countr_zero(rest));
-            ProjectedSlots reach;
+            TriangleSlots triangle_slots;
             for (int side = 0; side < 5; ++side)
-                reach.slot[side] = std::uint8_t(seen.slot[side][k]);
-            if (meets_groups(leaf, reach)) add_to_batch(cell, some[k].triangle, reach, leaf);
+                triangle_slots.slot[side] = std::uint8_t(found.slot[side][k]);
+            if (overlaps_open_group(kernel, triangle_slots))
+                add_to_batch(cell, some[k].triangle, triangle_slots, kernel);
         }
     }
-    test_batch(cell, leaf);
+    test_batch(cell, kernel);
 }
 
-void test_samples(const PencilMesh& mesh, const CellWork& work, const LightPoints& points,
-    CellKernelMemory& leaf, std::uint8_t* shadowed)
+void test_samples(const PencilMesh& mesh, const CellWork& work, const PencilPoints& points,
+    CellKernelMemory& kernel, std::uint8_t* shadowed)
 {
     const std::span<const IrregularSample> samples = work.samples;
-    frame_cell(mesh, work.bounds, leaf);
-    test_triangles({mesh, samples, points, cell_edge_error(leaf)}, work, leaf);
-    for (std::size_t group = 0; group < leaf.shadowed.size(); ++group) {
-        const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
-        for (std::uint32_t rest = leaf.shadowed[group] & ((1u << count) - 1); rest;
+    start_cell(mesh, work.bounds, kernel);
+    test_triangles({mesh, samples, points, cell_edge_error(kernel)}, work, kernel);
+    for (std::size_t group = 0; group < kernel.shadowed.size(); ++group) {
+        const std::size_t first = kernel.first[group], count = kernel.first[group + 1] - first;
+        for (std::uint32_t rest = kernel.shadowed[group] & ((1u << count) - 1); rest;
              rest &= rest - 1)
             shadowed[samples[first + std::size_t(std::countr_zero(rest))].id] = 1;
     }
@@ -140,7 +140,7 @@ void reserve(CellKernelMemory& memory, std::size_t samples)
     memory.box.resize(memory.table.size() * kTableBoxes);
 }
 
-void test_cell(const PencilMesh& mesh, const CellWork& work, const LightPoints& points,
+void test_cell(const PencilMesh& mesh, const CellWork& work, const PencilPoints& points,
     CellKernelMemory& memory, std::span<std::uint8_t> shadowed)
 {
     HWY_DYNAMIC_DISPATCH(test_samples)(mesh, work, points, memory, shadowed.data());

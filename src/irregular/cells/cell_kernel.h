@@ -13,11 +13,11 @@
 namespace firsthit {
 
 /// What the caller knows of its points, asked for where the filters cannot tell.
-class LightPoints {
+class PencilPoints {
   public:
-    virtual ~LightPoints() = default;
+    virtual ~PencilPoints() = default;
     /// The point in the light's space.
-    virtual glm::vec3 in_light_space(std::uint32_t id) const = 0;
+    virtual glm::vec3 in_pencil_space(std::uint32_t id) const = 0;
 
     /// The triangle each point lies on, by id, which does not shadow it; or null.
     const std::uint32_t* item = nullptr;
@@ -27,13 +27,13 @@ class LightPoints {
 };
 
 /// How much work the samples took.
-struct ShadowCounts {
+struct TestCounts {
     std::uint64_t triangles = 0; // set up, once for each cell
     std::uint64_t pairs = 0;     // of a sample and a triangle, tested
     std::uint64_t uncertain = 0; // of these, left open by the filters
     Effort effort;
 
-    void add(const ShadowCounts& other)
+    void add(const TestCounts& other)
     {
         triangles += other.triangles;
         pairs += other.pairs;
@@ -49,7 +49,7 @@ inline constexpr int kCellBatch = 64; // triangles that are set up together
 struct CellBatch {
     int count = 0;
     alignas(64) std::uint32_t triangle[kCellBatch];
-    ProjectedSlots slots[kCellBatch];
+    TriangleSlots slots[kCellBatch];
     alignas(64) float corner[9][kCellBatch]; // a0 b0 c0 a1 ... as the face sees them
     alignas(64) float gx[3][kCellBatch], gy[3][kCellBatch],
         c[3][kCellBatch]; // |e| <= 1, inside > 0
@@ -73,7 +73,7 @@ struct CellKernelMemory {
     Buffer<GroupBox> box;           // (groups) of its samples' offsets
     Buffer<OverlapTable> table;     // (chunks) of 64 groups
     CellBatch batch;
-    ShadowCounts counts;
+    TestCounts counts;
 
     // The cell.
     SampleBounds bounds;
@@ -100,12 +100,12 @@ struct CellWork {
     SampleBounds bounds; // of the samples
     std::span<const ProjectedTriangle> triangles;
     std::span<const ProjectedTriangle>
-        first; // large ones of the face: what they shadow is done with
+        occluders; // large ones of the face: what they shadow is done with
 };
 
 /// Finds out which samples of the cell are shadowed: shadowed[id] = 1 for these, no other is
 /// written. Exact: the answer is that of is_shadowed for each sample and each triangle but its own.
-void test_cell(const PencilMesh& mesh, const CellWork& work, const LightPoints& points,
+void test_cell(const PencilMesh& mesh, const CellWork& work, const PencilPoints& points,
     CellKernelMemory& memory, std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit

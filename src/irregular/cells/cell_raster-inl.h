@@ -21,17 +21,18 @@ namespace HWY_NAMESPACE {
 
 /// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
 HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
-    std::span<const IrregularSample> samples, const LightPoints& points, std::uint32_t triangle,
-    std::size_t group, std::uint32_t open, CellKernelMemory& leaf)
+    std::span<const IrregularSample> samples, const PencilPoints& points, std::uint32_t triangle,
+    std::size_t group, std::uint32_t open, CellKernelMemory& kernel)
 {
     const Corners corners = mesh.corners(triangle);
     std::uint32_t shadowed = 0;
     for (; open; open &= open - 1) {
-        const std::size_t k = leaf.first[group] + std::size_t(std::countr_zero(open));
-        if (k >= leaf.first[group + 1]) break;
-        ++leaf.counts.uncertain;
-        const glm::vec3 d = points.in_light_space(samples[k].id);
-        if (is_shadowed(mesh.space, corners, d, leaf.counts.effort)) shadowed |= open & (~open + 1);
+        const std::size_t k = kernel.first[group] + std::size_t(std::countr_zero(open));
+        if (k >= kernel.first[group + 1]) break;
+        ++kernel.counts.uncertain;
+        const glm::vec3 d = points.in_pencil_space(samples[k].id);
+        if (is_shadowed(mesh.space, corners, d, kernel.counts.effort))
+            shadowed |= open & (~open + 1);
     }
     return shadowed;
 }
@@ -40,18 +41,18 @@ HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
 struct CellTest {
     const PencilMesh& mesh;
     std::span<const IrregularSample> samples;
-    const LightPoints& points;
+    const PencilPoints& points;
     float edge_error;
 };
 
 /// The items of a group's samples, fetched when first asked for: most groups never are.
 HWY_INLINE const std::uint32_t* items_of(
-    const CellTest& cell, std::size_t group, CellKernelMemory& leaf)
+    const CellTest& cell, std::size_t group, CellKernelMemory& kernel)
 {
-    std::uint32_t* items = leaf.item.data() + group * kGroup;
-    if (leaf.has_item[group]) return items;
-    leaf.has_item[group] = 1;
-    const std::size_t first = leaf.first[group], count = leaf.first[group + 1] - first;
+    std::uint32_t* items = kernel.item.data() + group * kGroup;
+    if (kernel.has_item[group]) return items;
+    kernel.has_item[group] = 1;
+    const std::size_t first = kernel.first[group], count = kernel.first[group + 1] - first;
     for (std::size_t k = 0; k < kGroup; ++k)
         items[k] = cell.points.item && k < count ? cell.points.item[cell.samples[first + k].id]
                                                  : 0xFFFFFFFFu;
@@ -60,12 +61,12 @@ HWY_INLINE const std::uint32_t* items_of(
 
 /// Triangle i of the batch against the given groups of a chunk.
 HWY_INLINE void test_groups(
-    const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, CellKernelMemory& leaf)
+    const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, CellKernelMemory& kernel)
 {
     const Group d;
     const hn::RebindToUnsigned<Group> du;
     constexpr int lanes = int(hn::MaxLanes(Group()));
-    const CellBatch& batch = leaf.batch;
+    const CellBatch& batch = kernel.batch;
     const auto gx0 = hn::Set(d, batch.gx[0][i]), gy0 = hn::Set(d, batch.gy[0][i]),
                c0 = hn::Set(d, batch.c[0][i]), gx1 = hn::Set(d, batch.gx[1][i]),
                gy1 = hn::Set(d, batch.gy[1][i]), c1 = hn::Set(d, batch.c[1][i]),
@@ -77,39 +78,39 @@ HWY_INLINE void test_groups(
                lit_below = hn::Set(d, batch.lit_below[i]);
     const auto inside_from = hn::Set(d, cell.edge_error), maybe_from = hn::Set(d, -cell.edge_error);
     const auto triangle = hn::Set(du, batch.triangle[i]);
-    OverlapTable& table = leaf.table[chunk];
+    OverlapTable& table = kernel.table[chunk];
 
-    leaf.counts.pairs += std::uint64_t(std::popcount(groups)) * kGroup;
+    kernel.counts.pairs += std::uint64_t(std::popcount(groups)) * kGroup;
     for (; groups; groups &= groups - 1) {
         const std::size_t group = chunk * kTableBoxes + std::size_t(std::countr_zero(groups));
-        std::uint32_t shadowed = leaf.shadowed[group];
+        std::uint32_t shadowed = kernel.shadowed[group];
         const std::uint32_t before = shadowed;
-        for (int part = 0; part < kGroup; part += lanes) {
-            const std::size_t k = group * kGroup + std::size_t(part);
-            const auto x = hn::Load(d, leaf.x.data() + k), y = hn::Load(d, leaf.y.data() + k);
+        for (int offset = 0; offset < kGroup; offset += lanes) {
+            const std::size_t k = group * kGroup + std::size_t(offset);
+            const auto x = hn::Load(d, kernel.x.data() + k), y = hn::Load(d, kernel.y.data() + k);
             const auto e0 = hn::MulAdd(gx0, x, hn::MulAdd(gy0, y, c0));
             const auto e1 = hn::MulAdd(gx1, x, hn::MulAdd(gy1, y, c1));
             const auto e2 = hn::MulAdd(gx2, x, hn::MulAdd(gy2, y, c2));
             const auto least = hn::Min(e0, hn::Min(e1, e2));
             const auto ahead =
-                hn::Sub(hn::MulAdd(wx, x, hn::MulAdd(wy, y, wc)), hn::Load(d, leaf.w.data() + k));
+                hn::Sub(hn::MulAdd(wx, x, hn::MulAdd(wy, y, wc)), hn::Load(d, kernel.w.data() + k));
             // Also where `ahead` is no number.
             const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
             if (hn::AllFalse(d, maybe)) continue;
             const auto other = hn::RebindMask(
-                d, hn::Ne(hn::Load(du, items_of(cell, group, leaf) + part), triangle));
+                d, hn::Ne(hn::Load(du, items_of(cell, group, kernel) + offset), triangle));
             const auto certain =
                 hn::And(hn::And(hn::Gt(least, inside_from), hn::Gt(ahead, shadowed_from)), other);
-            const std::uint32_t hit = std::uint32_t(bits(d, certain)) << part;
+            const std::uint32_t hit = std::uint32_t(bits(d, certain)) << offset;
             const std::uint32_t open =
-                std::uint32_t(bits(d, hn::And(maybe, other))) << part & ~hit & ~shadowed;
+                std::uint32_t(bits(d, hn::And(maybe, other))) << offset & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
                 shadowed |= decide_group_exactly(
-                    cell.mesh, cell.samples, cell.points, batch.triangle[i], group, open, leaf);
+                    cell.mesh, cell.samples, cell.points, batch.triangle[i], group, open, kernel);
         }
         if (shadowed == before) continue;
-        leaf.shadowed[group] = std::uint16_t(shadowed);
+        kernel.shadowed[group] = std::uint16_t(shadowed);
         if (shadowed == 0xFFFF) table.open &= ~(groups & (~groups + 1));
     }
 }
@@ -117,17 +118,17 @@ HWY_INLINE void test_groups(
 /// The groups of a chunk that no edge of triangle i leaves out: for a triangle whose box holds many
 /// groups, as a needle's across the cell.
 HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t chunk,
-    std::uint64_t groups, const CellKernelMemory& leaf)
+    std::uint64_t groups, const CellKernelMemory& kernel)
 {
     const Group d;
-    const CellBatch& batch = leaf.batch;
+    const CellBatch& batch = kernel.batch;
     const auto outside_below = hn::Set(d, -2 * cell.edge_error);
     const auto half = hn::Set(d, 0.5f), room = hn::Set(d, 1 + 0x1p-20f);
     std::uint64_t inside = 0;
     for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
         const std::size_t at = chunk * kTableBoxes + k;
         auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
-        hn::LoadInterleaved4(d, leaf.box[at].side, x0, minus_x1, y0, minus_y1);
+        hn::LoadInterleaved4(d, kernel.box[at].side, x0, minus_x1, y0, minus_y1);
         // Middles, and how far the samples lie from there at most.
         const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),
                    y = hn::Mul(half, hn::Sub(y0, minus_y1));
@@ -145,23 +146,23 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
     return groups & inside;
 }
 
-inline void test_batch(const CellTest& cell, CellKernelMemory& leaf)
+inline void test_batch(const CellTest& cell, CellKernelMemory& kernel)
 {
     constexpr int kManyGroups = 12;
     const hn::CappedTag<double, 8> d;
-    CellBatch& batch = leaf.batch;
+    CellBatch& batch = kernel.batch;
     gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
     for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
-        set_up_cell_lanes(d, cell.mesh.space.directional, leaf, i);
+        set_up_cell_lanes(d, cell.mesh.space.directional, kernel, i);
     for (int i = 0; i < batch.count; ++i) {
-        for (std::size_t chunk = 0; chunk < leaf.table.size(); ++chunk) {
-            std::uint64_t groups = leaf.table[chunk].of(batch.slots[i]);
+        for (std::size_t chunk = 0; chunk < kernel.table.size(); ++chunk) {
+            std::uint64_t groups = kernel.table[chunk].of(batch.slots[i]);
             if (std::popcount(groups) >= kManyGroups)
-                groups = groups_inside(cell, i, chunk, groups, leaf);
-            if (groups) test_groups(cell, i, chunk, groups, leaf);
+                groups = groups_inside(cell, i, chunk, groups, kernel);
+            if (groups) test_groups(cell, i, chunk, groups, kernel);
         }
     }
-    leaf.counts.triangles += std::uint64_t(batch.count);
+    kernel.counts.triangles += std::uint64_t(batch.count);
     batch.count = 0;
 }
 

@@ -23,26 +23,26 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
 
 /// Bounds and middle of the cell, and what they say of errors and margins.
-inline void frame_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellKernelMemory& leaf)
+inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellKernelMemory& kernel)
 {
-    leaf.bounds = bounds;
-    leaf.largest_w = mesh.space.directional ? std::max(std::abs(leaf.bounds.farthest_w),
-                                                  std::abs(leaf.bounds.nearest_w))
-                                            : std::max(0.0f, leaf.bounds.nearest_w);
-    const SampleBounds& b = leaf.bounds;
+    kernel.bounds = bounds;
+    kernel.largest_w = mesh.space.directional ? std::max(std::abs(kernel.bounds.farthest_w),
+                                                    std::abs(kernel.bounds.nearest_w))
+                                              : std::max(0.0f, kernel.bounds.nearest_w);
+    const SampleBounds& b = kernel.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
     // Floats, so that the offsets are single roundings.
-    leaf.middle_x = 0.5f * b.x0 + 0.5f * b.x1;
-    leaf.middle_y = 0.5f * b.y0 + 0.5f * b.y1;
+    kernel.middle_x = 0.5f * b.x0 + 0.5f * b.x1;
+    kernel.middle_y = 0.5f * b.y0 + 0.5f * b.y1;
     const bool directional = mesh.space.directional;
-    leaf.error_x = directional ? 0 : 0x1p-24 * most_x;
-    leaf.error_y = directional ? 0 : 0x1p-24 * most_y;
+    kernel.error_x = directional ? 0 : 0x1p-24 * most_x;
+    kernel.error_y = directional ? 0 : 0x1p-24 * most_y;
     const auto half = [](double low, double high, double middle, double error) {
         return std::max({high - middle, middle - low, 16 * error, 0x1p-100}) * (1 + 0x1p-20);
     };
-    leaf.half_x = half(b.x0, b.x1, leaf.middle_x, leaf.error_x);
-    leaf.half_y = half(b.y0, b.y1, leaf.middle_y, leaf.error_y);
+    kernel.half_x = half(b.x0, b.x1, kernel.middle_x, kernel.error_x);
+    kernel.half_y = half(b.y0, b.y1, kernel.middle_y, kernel.error_y);
 
     // The margin, over a point's c (see shadow_margin, and set_up-inl.h).
     const double reach = mesh.space.reach;
@@ -52,19 +52,19 @@ inline void frame_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
     if (directional) {
         const double farthest = b.farthest_w, near = b.nearest_w;
         least = 2 * std::max(away_xy, away(farthest, near)) + reach;
-        most = 2 * std::max({most_x, most_y, double(leaf.largest_w)}) + reach;
+        most = 2 * std::max({most_x, most_y, double(kernel.largest_w)}) + reach;
     } else {
         least = 2 * std::max(1.0, away_xy) + reach * std::max(0.0, double(b.farthest_w));
-        most = 2 * std::max({1.0, most_x, most_y}) + reach * double(leaf.largest_w);
+        most = 2 * std::max({1.0, most_x, most_y}) + reach * double(kernel.largest_w);
     }
     // And of the corners: corner_margin, over c as well.
     const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
-                 most_w = directional ? 1 : double(leaf.largest_w);
+                 most_w = directional ? 1 : double(kernel.largest_w);
     const double underflow = kMarginUnderflow * most_w;
-    leaf.least_margin = std::max(0.0, double(kShadowMargin) * least * (1 - 0x1p-20) - underflow);
-    leaf.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20) + underflow;
-    leaf.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
-    leaf.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
+    kernel.least_margin = std::max(0.0, double(kShadowMargin) * least * (1 - 0x1p-20) - underflow);
+    kernel.largest_margin = double(kShadowMargin) * most * (1 + 0x1p-20) + underflow;
+    kernel.least_corner = double(kShadowMargin) * least_w * (1 - 0x1p-20);
+    kernel.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
 /// How many of sixteen samples and the next one make a group: samples of one square of 4x4, which
@@ -179,24 +179,24 @@ class GroupSlots {
 /// is, infinitely near to the light.
 /// from  whole registers
 HWY_INLINE GroupBounds copy_group(
-    const IrregularSample* from, std::size_t count, std::size_t group, CellKernelMemory& leaf)
+    const IrregularSample* from, std::size_t count, std::size_t group, CellKernelMemory& kernel)
 {
     const Group d;
     const auto infinite = hn::Inf(d);
-    const auto xm = hn::Set(d, leaf.middle_x), ym = hn::Set(d, leaf.middle_y);
+    const auto xm = hn::Set(d, kernel.middle_x), ym = hn::Set(d, kernel.middle_y);
     GroupBounds bounds{infinite, infinite, infinite, infinite, infinite};
-    for (std::size_t part = 0; part < kGroup; part += hn::Lanes(d)) {
+    for (std::size_t offset = 0; offset < kGroup; offset += hn::Lanes(d)) {
         auto x = xm, y = xm, w = xm, id = xm;
-        hn::LoadInterleaved4(d, &from[part].x, x, y, w, id);
-        const auto inside = hn::FirstN(d, count > part ? count - part : 0);
+        hn::LoadInterleaved4(d, &from[offset].x, x, y, w, id);
+        const auto inside = hn::FirstN(d, count > offset ? count - offset : 0);
         x = hn::Sub(hn::IfThenElse(inside, x, hn::Set(d, from->x)), xm);
         y = hn::Sub(hn::IfThenElse(inside, y, hn::Set(d, from->y)), ym);
         w = hn::IfThenElse(inside, w, infinite);
         bounds.add(x, y, w);
-        const std::size_t to = group * kGroup + part;
-        hn::Store(x, d, leaf.x.data() + to);
-        hn::Store(y, d, leaf.y.data() + to);
-        hn::Store(w, d, leaf.w.data() + to);
+        const std::size_t to = group * kGroup + offset;
+        hn::Store(x, d, kernel.x.data() + to);
+        hn::Store(y, d, kernel.y.data() + to);
+        hn::Store(w, d, kernel.w.data() + to);
     }
     return bounds;
 }
@@ -204,16 +204,16 @@ HWY_INLINE GroupBounds copy_group(
 /// Copies the samples group by group, and enters the groups into the tables.
 /// slots  of offsets from the middle
 inline void fill_groups(
-    std::span<const IrregularSample> samples, const BoxSlots& slots, CellKernelMemory& leaf)
+    std::span<const IrregularSample> samples, const BoxSlots& slots, CellKernelMemory& kernel)
 {
     constexpr std::size_t kAhead = 8 * kGroup; // samples: their memory is asked for
     const std::size_t most = most_groups(samples.size());
-    for (auto* values : {&leaf.x, &leaf.y, &leaf.w}) values->resize(most * kGroup);
-    leaf.first.resize(most + 1);
-    leaf.shadowed.resize(most);
+    for (auto* values : {&kernel.x, &kernel.y, &kernel.w}) values->resize(most * kGroup);
+    kernel.first.resize(most + 1);
+    kernel.shadowed.resize(most);
     const std::size_t most_tables = (most + kTableBoxes - 1) / kTableBoxes;
-    leaf.table.resize(most_tables);
-    leaf.box.resize(most_tables * kTableBoxes);
+    kernel.table.resize(most_tables);
+    kernel.box.resize(most_tables * kTableBoxes);
     const GroupSlots group_slots(slots);
     std::size_t group = 0;
     for (std::size_t k = 0; k < samples.size(); ++group) {
@@ -229,26 +229,26 @@ inline void fill_groups(
             std::fill_n(last + left, kGroup - left, last[0]);
             from = last;
         }
-        const GroupBounds bounds = copy_group(from, count, group, leaf);
-        float* box = leaf.box[group].side;
+        const GroupBounds bounds = copy_group(from, count, group, kernel);
+        float* box = kernel.box[group].side;
         store_box(bounds, box);
         const float farthest = hn::GetLane(hn::MinOfLanes(Group(), bounds.w));
-        OverlapTable& table = leaf.table[group / kTableBoxes];
+        OverlapTable& table = kernel.table[group / kTableBoxes];
         if (group % kTableBoxes == 0) table = {};
         int slot[GroupSlots::kSides + 1];
         group_slots.find(box, farthest, slot);
         table.add(int(group % kTableBoxes), slot);
-        leaf.first[group] = std::uint32_t(k);
-        leaf.shadowed[group] = std::uint16_t(0xFFFFu << count);
+        kernel.first[group] = std::uint32_t(k);
+        kernel.shadowed[group] = std::uint16_t(0xFFFFu << count);
         k += count;
     }
-    leaf.first[group] = std::uint32_t(samples.size());
-    leaf.shadowed.resize(group);
-    leaf.item.resize(group * kGroup);
-    leaf.has_item.resize(group);
-    std::fill_n(leaf.has_item.data(), group, std::uint8_t(0));
-    leaf.table.resize((group + kTableBoxes - 1) / kTableBoxes);
-    for (OverlapTable& table : leaf.table.span()) table.finish();
+    kernel.first[group] = std::uint32_t(samples.size());
+    kernel.shadowed.resize(group);
+    kernel.item.resize(group * kGroup);
+    kernel.has_item.resize(group);
+    std::fill_n(kernel.has_item.data(), group, std::uint8_t(0));
+    kernel.table.resize((group + kTableBoxes - 1) / kTableBoxes);
+    for (OverlapTable& table : kernel.table.span()) table.finish();
 }
 
 } // namespace HWY_NAMESPACE

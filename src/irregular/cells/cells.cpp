@@ -85,7 +85,7 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
         std::fill_n(counts, count, 0u);
         for (const SampleRange& range : shares.of(ranges, share)) {
             std::uint16_t* cell = &cells.cell_of[range.first];
-            place_samples(grid, from.subspan(range.first, range.count), cell);
+            find_sample_cells(grid, from.subspan(range.first, range.count), cell);
             for_runs(cell, range.count, [&](std::size_t k, std::size_t length) {
                 counts[cell[k]] += std::uint32_t(length);
             });
@@ -112,7 +112,7 @@ namespace {
 constexpr int kManyCells = 9; // from these on the edges are asked
 
 /// The edges of a triangle as its face sees it, for cells that lie outside of one. Its corners and
-/// the samples are rounded: an edge counts as further out by kRoom of the largest coordinate.
+/// the samples are rounded: an edge counts as further out by kTolerance of the largest coordinate.
 class EdgeTest {
   public:
     EdgeTest(const PencilMesh& mesh, std::uint32_t triangle, const CellGrid& grid)
@@ -123,7 +123,7 @@ class EdgeTest {
     {
         const glm::uvec3& index = mesh.index[triangle];
         const ProjectedPoint corner[3] = {
-            mesh.seen[index.x], mesh.seen[index.y], mesh.seen[index.z]};
+            mesh.projected[index.x], mesh.projected[index.y], mesh.projected[index.z]};
         const auto dx = [&](int a, int b) { return double(corner[b].x) - double(corner[a].x); };
         const auto dy = [&](int a, int b) { return double(corner[b].y) - double(corner[a].y); };
         const double area = dx(0, 1) * dy(0, 2) - dy(0, 1) * dx(0, 2);
@@ -135,7 +135,7 @@ class EdgeTest {
             std::abs(dx(0, 1)) + std::abs(dy(0, 1)) + std::abs(dx(0, 2)) + std::abs(dy(0, 2));
         // Nothing is asked where roundings might have turned the triangle over, nor where a corner
         // is behind the face, and so no number: the comparison is false then.
-        if (!(largest < 1e30 && std::abs(area) > 4 * kRoom * largest * size)) return;
+        if (!(largest < 1e30 && std::abs(area) > 4 * kTolerance * largest * size)) return;
         const double side = area < 0 ? -1 : 1;
         for (int k = 0; k < 3; ++k) {
             const int next = (k + 1) % 3;
@@ -143,7 +143,7 @@ class EdgeTest {
             e.nx = -side * dy(k, next);
             e.ny = side * dx(k, next);
             e.c = -(e.nx * double(corner[k].x) + e.ny * double(corner[k].y)) +
-                  kRoom * largest * (std::abs(e.nx) + std::abs(e.ny));
+                  kTolerance * largest * (std::abs(e.nx) + std::abs(e.ny));
         }
     }
 
@@ -158,7 +158,7 @@ class EdgeTest {
     }
 
   private:
-    static constexpr double kRoom = 0x1p-18;
+    static constexpr double kTolerance = 0x1p-18;
 
     struct Edge {
         double nx = 0, ny = 0, c = 0; // inside: nx x + ny y + c >= 0
@@ -175,7 +175,7 @@ bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> f
     cells.rect_of.resize(from.size() + 16);
     tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
         const SampleRange& range = ranges[k];
-        place_triangles(cells.grid, cells.bounds, from.subspan(range.first, range.count),
+        find_triangle_cells(cells.grid, cells.bounds, from.subspan(range.first, range.count),
             &cells.rect_of[range.first]);
     });
     const std::size_t columns = std::size_t(cells.grid.columns);
@@ -199,7 +199,7 @@ bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> f
                 if (!edges.misses(column, row)) f(row * columns + column);
     };
     return bin_triangles(
-        from, ranges, std::size_t(cells.grid.cells()), for_cells, cells.seen, tasks);
+        from, ranges, std::size_t(cells.grid.cells()), for_cells, cells.bins, tasks);
 }
 
 } // namespace firsthit

@@ -28,11 +28,11 @@ struct CellRect {
 };
 
 /// The cells of samples, 16 at a time: cell[k] of from[k]. Up to 15 more are written.
-void place_samples(
+void find_sample_cells(
     const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell);
 
 /// The cells of triangles; none for one that may shadow no sample inside the bounds.
-void place_triangles(const CellGrid& grid, const SampleBounds& bounds,
+void find_triangle_cells(const CellGrid& grid, const SampleBounds& bounds,
     std::span<const ProjectedTriangle> from, CellRect* rect);
 
 /// Bounds of samples.
@@ -51,7 +51,7 @@ struct IrregularCells {
     CellGrid grid;
     Buffer<IrregularSample, Pages::small> samples; // by cell
     Buffer<std::uint32_t> sample_start;            // (cells + 1)
-    TriangleBins seen;                             // by cell
+    TriangleBins bins;                             // by cell
     Buffer<std::uint32_t> cursor;                  // (shares, cells), while sorting
     Buffer<std::uint16_t> cell_of;                 // (samples), while sorting
     Buffer<CellRect> rect_of;                      // (triangles), while sorting

@@ -42,14 +42,14 @@ struct BoxSlots {
 };
 
 /// A triangle's slots: x0, y0, x1, y1, nearest w.
-struct ProjectedSlots {
+struct TriangleSlots {
     std::uint8_t slot[5];
 
-    ProjectedSlots() = default;
-    ProjectedSlots(const ProjectedTriangle& seen, const BoxSlots& slots)
-        : slot{std::uint8_t(slots.x.of(seen.x0)), std::uint8_t(slots.y.of(seen.y0)),
-              std::uint8_t(slots.x.of(seen.x1)), std::uint8_t(slots.y.of(seen.y1)),
-              std::uint8_t(slots.w.of(seen.nearest_w))}
+    TriangleSlots() = default;
+    TriangleSlots(const ProjectedTriangle& box, const BoxSlots& slots)
+        : slot{std::uint8_t(slots.x.of(box.x0)), std::uint8_t(slots.y.of(box.y0)),
+              std::uint8_t(slots.x.of(box.x1)), std::uint8_t(slots.y.of(box.y1)),
+              std::uint8_t(slots.w.of(box.nearest_w))}
     {
     }
 };
@@ -91,7 +91,7 @@ class OverlapTable {
     }
 
     /// The open boxes that a triangle may overlap without being behind them. None is missed.
-    std::uint64_t of(const ProjectedSlots& s) const
+    std::uint64_t of(const TriangleSlots& s) const
     {
         return from_x_[s.slot[2]] & to_x_[s.slot[0]] & from_y_[s.slot[3]] & to_y_[s.slot[1]] &
                behind_[s.slot[4]] & open;

@@ -33,18 +33,18 @@ bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const Sample
         table.finish();
     }
     const auto for_patches = [&](std::size_t k, const auto& f) {
-        const ProjectedTriangle& seen = from[k];
-        const ProjectedSlots reach(seen, slots);
+        const ProjectedTriangle& box = from[k];
+        const TriangleSlots triangle_slots(box, slots);
         for (std::size_t table = 0; table < memory.tables.size(); ++table) {
-            std::uint64_t rest = memory.tables[table].of(reach);
+            std::uint64_t rest = memory.tables[table].of(triangle_slots);
             for (; rest; rest &= rest - 1) {
                 const std::size_t patch = table * kTableBoxes + std::size_t(std::countr_zero(rest));
-                if (may_shadow(seen, memory.patches[patch].bounds)) f(patch);
+                if (may_hit(box, memory.patches[patch].bounds)) f(patch);
             }
         }
     };
     return bin_triangles(from, count == 0 ? std::span<const SampleRange>() : ranges, count,
-        for_patches, memory.seen, tasks);
+        for_patches, memory.bins, tasks);
 }
 
 } // namespace firsthit

@@ -25,7 +25,7 @@ bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t t
 struct PatchMemory {
     Buffer<SamplePatch> patches;
     Buffer<OverlapTable> tables; // of 64 patches each
-    TriangleBins seen;           // by patch
+    TriangleBins bins;           // by patch
 };
 
 /// Copies each triangle to all patches whose samples it may shadow. memory.patches are given.

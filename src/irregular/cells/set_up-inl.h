@@ -4,12 +4,12 @@
 // samples lie within (hx, hy) of its middle:
 //
 // Edges e = c + gx x + gy y are scaled so that |c| + hx |gx| + hy |gy| = 1. Rounding the three and
-// the sample's offset and evaluating takes at most 7 u, fused or not. A sample's place is off by at
+// the sample's offset and evaluating takes at most 7 u, fused or not. A sample's position_error is off by at
 // most error_x and error_y, which takes their share of hx and hy. The double part must stay below
 // u, else the triangle's samples are decided one by one.
 //
 // Depth: with B = |wc| + hx |wx| + hy |wy| the same roundings take 8 u B, a sample's own w takes 2 u
-// of the largest w, its place |wx| error_x + |wy| error_y. The double part is added as it is.
+// of the largest w, its position_error |wx| error_x + |wy| error_y. The double part is added as it is.
 //
 // A sample is shadowed where w - (its w) > K s: K = |N| / |volume|, s = margins / c (a point light;
 // volume = N . v0), or K = |N| / |N.c|, s = margins (a directional one), |N| = |N.x| + |N.y| + |N.z|:
@@ -29,28 +29,29 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 
 /// The bound of all edges' errors in a cell.
-inline float cell_edge_error(const CellKernelMemory& leaf)
+inline float cell_edge_error(const CellKernelMemory& kernel)
 {
-    const double place = std::max(leaf.error_x / leaf.half_x, leaf.error_y / leaf.half_y);
-    return float((8 * 0x1p-24 + place) * 1.01);
+    const double position_error =
+        std::max(kernel.error_x / kernel.half_x, kernel.error_y / kernel.half_y);
+    return float((8 * 0x1p-24 + position_error) * 1.01);
 }
 
 template <class D>
-HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& leaf, int i)
+HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kernel, int i)
 {
     using V = hn::Vec<D>;
     const hn::Rebind<float, D> f;
-    CellBatch& batch = leaf.batch;
+    CellBatch& batch = kernel.batch;
     const auto load = [&](int axis) {
         return hn::PromoteTo(d, hn::Load(f, batch.corner[axis] + i));
     };
     const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
     const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
         v2{load(6), load(7), load(8)};
-    const V xm = hn::Set(d, double(leaf.middle_x)), ym = hn::Set(d, double(leaf.middle_y));
-    const V hx = hn::Set(d, leaf.half_x), hy = hn::Set(d, leaf.half_y);
-    const V reach_x = hn::Set(d, std::abs(leaf.middle_x) + leaf.half_x),
-            reach_y = hn::Set(d, std::abs(leaf.middle_y) + leaf.half_y);
+    const V xm = hn::Set(d, double(kernel.middle_x)), ym = hn::Set(d, double(kernel.middle_y));
+    const V hx = hn::Set(d, kernel.half_x), hy = hn::Set(d, kernel.half_y);
+    const V reach_x = hn::Set(d, std::abs(kernel.middle_x) + kernel.half_x),
+            reach_y = hn::Set(d, std::abs(kernel.middle_y) + kernel.half_y);
     const auto at_middle = [&](const V& x, const V& y, const V& z) {
         return hn::Add(hn::Add(hn::Mul(x, xm), hn::Mul(y, ym)), z);
     };
@@ -110,10 +111,10 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& leaf,
     const auto u = [&](double x) { return hn::Set(d, x); };
     const V double_error = hn::Mul(u(0x1p-49),
         hn::Add(hn::Mul(terms, abs_inverse), hn::Mul(size, hn::Add(one, divisor_error))));
-    const V largest_w = hn::Set(d, leaf.largest_w);
-    const V place = hn::Add(hn::Mul(hn::Abs(wx), hn::Set(d, leaf.error_x)),
-        hn::Mul(hn::Abs(wy), hn::Set(d, leaf.error_y)));
-    const V error = hn::Add(hn::Add(double_error, place),
+    const V largest_w = hn::Set(d, kernel.largest_w);
+    const V position_error = hn::Add(hn::Mul(hn::Abs(wx), hn::Set(d, kernel.error_x)),
+        hn::Mul(hn::Abs(wy), hn::Set(d, kernel.error_y)));
+    const V error = hn::Add(hn::Add(double_error, position_error),
         hn::Add(hn::Mul(u(8 * 0x1p-24), size), hn::Mul(u(2 * 0x1p-24), largest_w)));
     const V length = hn::Add(hn::Add(hn::Abs(n.x), hn::Abs(n.y)), hn::Abs(n.z));
     const V length_size = hn::Add(hn::Add(n_size.x, n_size.y), n_size.z);
@@ -124,10 +125,10 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& leaf,
         return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
     };
     const V corner = hn::Max(hn::Max(largest(v0), largest(v1)), largest(v2));
-    const V most_margin =
-        hn::Add(hn::Set(d, leaf.largest_margin), hn::Mul(hn::Set(d, leaf.largest_corner), corner));
+    const V most_margin = hn::Add(
+        hn::Set(d, kernel.largest_margin), hn::Mul(hn::Set(d, kernel.largest_corner), corner));
     const V least_margin =
-        hn::Add(hn::Set(d, leaf.least_margin), hn::Mul(hn::Set(d, leaf.least_corner), corner));
+        hn::Add(hn::Set(d, kernel.least_margin), hn::Mul(hn::Set(d, kernel.least_corner), corner));
     const V most = hn::Add(hn::Mul(hn::Add(k, k_error), most_margin), error);
     const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), least_margin), error);
     // A divisor that may be anything, or a float that overflows: nothing is certain. In a small cell

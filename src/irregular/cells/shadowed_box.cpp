@@ -20,14 +20,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kRoom = 0x1p-20; // for roundings, far more than they are
+constexpr double kTolerance = 0x1p-20; // for roundings, far more than they are
 
-struct Place {
+struct FacePoint {
     double x, y;
 };
 
-/// The corners of the bounds, a little further out: samples' places are rounded, tiny ones to 0.
-std::array<Place, 4> corners_of(const SampleBounds& b)
+/// The corners of the bounds, a little further out: samples' box_corners are rounded, tiny ones to 0.
+std::array<FacePoint, 4> corners_of(const SampleBounds& b)
 {
     const auto out = [](float v) { return 0x1p-22 * std::abs(double(v)) + 0x1p-140; };
     const double x0 = double(b.x0) - out(b.x0), x1 = double(b.x1) + out(b.x1),
@@ -40,7 +40,7 @@ struct Rounded {
     double value = 0, size = 0;
 
     /// 0 where it may be.
-    int sign() const { return std::abs(value) > kRoom * size ? value > 0 ? 1 : -1 : 0; }
+    int sign() const { return std::abs(value) > kTolerance * size ? value > 0 ? 1 : -1 : 0; }
 };
 
 struct RoundedVector {
@@ -75,16 +75,16 @@ int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners
     const bool directional = space.directional;
     std::array<dvec3, 3> v, pencil;
     for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = dvec3(face.seen_from(corners[k]));
+        v[k] = dvec3(face.to_face_axes(corners[k]));
         pencil[k] = directional ? dvec3(v[k].x, v[k].y, 1) : v[k];
     }
     const Rounded volume = dot(corner_product(pencil[1], pencil[2]), pencil[0]);
     if (volume.sign() == 0) return 0;
-    const std::array<Place, 4> places = corners_of(bounds);
+    const std::array<FacePoint, 4> box_corners = corners_of(bounds);
     for (std::size_t k = 0; k < 3; ++k) {
         if (k == open) continue;
         const RoundedVector edge = corner_product(pencil[k], pencil[(k + 1) % 3]);
-        for (const Place& at : places)
+        for (const FacePoint& at : box_corners)
             if (dot(edge, {at.x, at.y, 1}).sign() != volume.sign()) return 0;
     }
 
@@ -103,14 +103,15 @@ int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners
                               double(corner_margin(corners)) + kMarginUnderflow) *
                               per_margin;
     const double length = n.size.x + n.size.y + n.size.z; // or a little more
-    for (const Place& at : places) {
+    for (const FacePoint& at : box_corners) {
         const Rounded height =
             directional ? dot(n, {at.x - v[0].x, at.y - v[0].y, 0}) : dot(n, {at.x, at.y, 1});
         const double base = directional ? v[0].z : 0;
         const double w = height.value / divisor.value - base;
         const double size = (height.size + margin * length) / std::abs(divisor.value) +
                             std::abs(base) + std::abs(nearest);
-        if (!(w - nearest > margin * length / std::abs(divisor.value) + kRoom * size)) return 0;
+        if (!(w - nearest > margin * length / std::abs(divisor.value) + kTolerance * size))
+            return 0;
     }
     return volume.sign();
 }
@@ -123,7 +124,7 @@ bool shadows_box(const PencilSpace& space, const CubeFace& face, const Corners& 
     return shadowing_side(space, face, corners, 3, bounds) != 0;
 }
 
-bool shadow_box(const PencilSpace& space, const CubeFace& face, const Corners& first,
+bool pair_shadows_box(const PencilSpace& space, const CubeFace& face, const Corners& first,
     const Corners& second, const SampleBounds& bounds)
 {
     for (std::size_t i = 0; i < 3; ++i) {

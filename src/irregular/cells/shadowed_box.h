@@ -14,7 +14,7 @@ bool shadows_box(const PencilSpace& space, const CubeFace& face, const Corners& 
 
 /// The same for two triangles that share an edge, where each point is in the shadow of one of them: as
 /// behind a wall of two. False where they share none.
-bool shadow_box(const PencilSpace& space, const CubeFace& face, const Corners& first,
+bool pair_shadows_box(const PencilSpace& space, const CubeFace& face, const Corners& first,
     const Corners& second, const SampleBounds& bounds);
 
 } // namespace firsthit

@@ -33,18 +33,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct GridTest {
     const PencilMesh& mesh;
     const SampleGrid& grid;
-    const LightPoints& points;
+    const PencilPoints& points;
     std::uint8_t* shadowed;
-    ShadowCounts counts;
+    TestCounts counts;
 };
 
 /// Triangles and samples that may be shadowed by them, not by their own.
 struct GridPairs {
     static constexpr std::size_t kMost = 256;
-    static constexpr std::size_t kRoom = kMost + 16;
+    static constexpr std::size_t kCapacity = kMost + 16;
     std::size_t count = 0;
-    std::uint32_t triangle[kRoom];
-    std::uint32_t slot[kRoom]; // in the grid's order
+    std::uint32_t triangle[kCapacity];
+    std::uint32_t sample[kCapacity]; // in the grid's order
 };
 
 /// Threads may find the same sample shadowed.
@@ -77,7 +77,8 @@ HWY_INLINE void fill_lanes(
             lanes.corner[3 * c + 1][k] = p.y;
             lanes.corner[3 * c + 2][k] = p.z;
         }
-        const IrregularSample& sample = test.grid.samples[test.grid.number[pairs.slot[pair]]];
+        const IrregularSample& sample =
+            test.grid.samples[test.grid.sample_index[pairs.sample[pair]]];
         lanes.x[k] = sample.x, lanes.y[k] = sample.y, lanes.w[k] = sample.w;
         __builtin_prefetch(&test.shadowed[sample.id]);
     }
@@ -138,7 +139,7 @@ HWY_NOINLINE inline void decide_pairs(GridTest& test, GridPairs& pairs)
 {
     const std::size_t lanes = hn::Lanes(Pairs());
     for (std::size_t k = 0; k < pairs.count; ++k) {
-        __builtin_prefetch(&test.grid.samples[test.grid.number[pairs.slot[k]]]);
+        __builtin_prefetch(&test.grid.samples[test.grid.sample_index[pairs.sample[k]]]);
         const glm::uvec3& index = test.mesh.index[pairs.triangle[k]];
         for (int c = 0; c < 3; ++c) __builtin_prefetch(&test.mesh.corner[index[c]]);
     }
@@ -151,19 +152,19 @@ HWY_NOINLINE inline void decide_pairs(GridTest& test, GridPairs& pairs)
         for (; open; open &= open - 1) {
             const std::uint32_t lane = std::uint32_t(std::countr_zero(open));
             const std::uint32_t triangle = pairs.triangle[first + lane];
-            const std::uint32_t number = test.grid.number[pairs.slot[first + lane]];
+            const std::uint32_t number = test.grid.sample_index[pairs.sample[first + lane]];
             const std::uint32_t id = test.grid.samples[number].id;
             if (is_marked(test, id)) continue;
-            const Certain certain =
-                ShadowPlane(test.mesh, triangle).behind(some.x[lane], some.y[lane], some.w[lane]);
-            if (certain == Certain::lit) continue;
-            if (certain == Certain::shadowed && (edges.inside >> lane & 1)) {
+            const Verdict verdict =
+                ShadowPlane(test.mesh, triangle).classify(some.x[lane], some.y[lane], some.w[lane]);
+            if (verdict == Verdict::lit) continue;
+            if (verdict == Verdict::shadowed && (edges.inside >> lane & 1)) {
                 mark(test, id);
                 continue;
             }
             ++test.counts.uncertain;
             if (is_shadowed(test.mesh.space, test.mesh.corners(triangle),
-                    test.points.in_light_space(id), test.counts.effort))
+                    test.points.in_pencil_space(id), test.counts.effort))
                 mark(test, id);
         }
     }

@@ -33,13 +33,13 @@ struct Backoff {
     std::uint32_t left = 0, next = 0;
 
     /// Whether to ask this batch.
-    bool is_over()
+    bool should_try()
     {
         if (left == 0) return true;
         --left;
         return false;
     }
-    void after(bool worthwhile)
+    void record(bool worthwhile)
     {
         next = worthwhile ? 0 : std::min(2 * next + 1, kLongest);
         left = next;
@@ -49,27 +49,28 @@ struct Backoff {
 /// Some triangles, and what is known of them. Words are as QuantizedPoint.
 struct GridBoxes {
     static constexpr std::size_t kTriangles = 256;
-    static constexpr std::size_t kRoom = kTriangles + 16;
+    static constexpr std::size_t kCapacity = kTriangles + 16;
 
     std::size_t first = 0; // number of the first one
-    alignas(64) std::uint64_t corner[3][kRoom];
+    alignas(64) std::uint64_t corner[3][kCapacity];
     // The box; the lowest w is 0. Low is greater than high where the triangle is not to be asked.
-    alignas(64) std::uint64_t low[kRoom];
-    alignas(64) std::uint64_t high[kRoom];
+    alignas(64) std::uint64_t low[kCapacity];
+    alignas(64) std::uint64_t high[kCapacity];
 
     /// Edge e of a sample: the sum of x and y of (sample - corner 0) times these, and `beyond`; not
     /// below 0 where the sample may be inside. Upper halves, lower ones are 0.
-    alignas(64) std::uint64_t normal[3][kRoom];
-    alignas(64) std::uint64_t beyond[kRoom];          // of the edges at corner 0
-    alignas(64) std::uint64_t beyond_opposite[kRoom]; // of the one opposite
+    alignas(64) std::uint64_t normal[3][kCapacity];
+    alignas(64) std::uint64_t beyond[kCapacity];          // of the edges at corner 0
+    alignas(64) std::uint64_t beyond_opposite[kCapacity]; // of the one opposite
 
-    Backoff pause; // of asking for what is behind all samples
+    Backoff backoff; // of asking for what is behind all samples
 
     // Which of them
-    std::size_t inside_count = 0, unseen_count = 0;
-    std::uint32_t inside[kRoom]; // may shadow samples: first all that reach into the samples' box
-    StripRange strips[kRoom];    // of those in `inside`
-    std::uint32_t unseen[kRoom]; // have a corner that is not seen
+    std::size_t inside_count = 0, unprojected_count = 0;
+    std::uint32_t
+        inside[kCapacity];        // may shadow samples: first all that reach into the samples' box
+    StripRange strips[kCapacity]; // of those in `inside`
+    std::uint32_t unprojected[kCapacity]; // have a corner that is not seen
 };
 
 /// Appends the numbers from `first` on of the chosen lanes. What is written after them is nothing.
@@ -84,18 +85,18 @@ HWY_INLINE void append(
     count += hn::CountTrue(Words(), chosen);
 }
 
-/// The corners of triangles [first, last), in turn.
-HWY_INLINE void gather_places(
+/// The corners of triangles [first, last), in flip.
+HWY_INLINE void gather_quantized_corners(
     const PencilMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
 {
     const glm::uvec3* const index = mesh.index.data() + first;
-    const QuantizedPoint* const place = mesh.place.data();
+    const QuantizedPoint* const quantized = mesh.quantized.data();
     constexpr std::size_t kAhead = 128; // triangles whose index is asked for
     const std::size_t ahead = std::min(kAhead, mesh.index.size() - last);
     for (std::size_t i = 0; i < last - first; ++i) {
         __builtin_prefetch(index + i + ahead);
         for (int k = 0; k < 3; ++k)
-            std::memcpy(&boxes.corner[k][i], &place[index[i][k]], sizeof(QuantizedPoint));
+            std::memcpy(&boxes.corner[k][i], &quantized[index[i][k]], sizeof(QuantizedPoint));
     }
 }
 
@@ -124,7 +125,8 @@ HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, 
     const auto set = [&](std::uint64_t v) { return hn::Set(d, v); };
     const Word zero = hn::Zero(d), upper = set(kUpperHalf);
     const Word size = difference16(high, low);
-    const auto beyond_grid = hn::Or(any16(low, 0, kUpperHalf), any16(high, kLastPlace, kUpperHalf));
+    const auto beyond_grid =
+        hn::Or(any16(low, 0, kUpperHalf), any16(high, kQuantizedMax, kUpperHalf));
     const auto unfit = hn::Or(hn::Ne(hn::And(size, set(kLarge)), zero), beyond_grid);
 
     // The edge from p to q: (-dy, dx).
@@ -138,18 +140,18 @@ HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, 
     // The error (sample_grid.h), in the upper half.
     const Word extent =
         hn::Add(hn::And(hn::ShiftRight<32>(size), set(0xFFFF)), hn::ShiftRight<48>(size));
-    const Word twice_and_half =
+    const Word two_and_a_half =
         hn::Add(hn::Add(extent, extent), hn::Add(hn::ShiftRight<1>(extent), set(1)));
     const Word error = hn::ShiftLeft<32>(
-        hn::Add(hn::ShiftLeftSame(twice_and_half, grid.error_shift), set(grid.error_rest)));
+        hn::Add(hn::ShiftLeftSame(two_and_a_half, grid.error_shift), set(grid.error_rest)));
 
-    const auto turned = below_zero(area);
-    const Word turn = hn::IfThenElseZero(turned, upper);
-    const Word side = hn::IfThenElse(turned, hn::Sub(zero, area), area);
+    const auto flipped = below_zero(area);
+    const Word flip = hn::IfThenElseZero(flipped, upper);
+    const Word side = hn::IfThenElse(flipped, hn::Sub(zero, area), area);
     // |area| > error: no sum here leaves 63 bits.
     const auto certain = hn::AndNot(unfit, below_zero(hn::Sub(error, side)));
     const auto kept = [&](Word v) { return hn::IfThenElseZero(certain, v); };
-    const auto inward = [&](Word n) { return kept(difference16(hn::Xor(n, turn), turn)); };
+    const auto inward = [&](Word n) { return kept(difference16(hn::Xor(n, flip), flip)); };
     return {{inward(n0), inward(n1), inward(n2)}, kept(error), kept(hn::Add(error, side))};
 }
 
@@ -176,20 +178,20 @@ HWY_NOINLINE void find_boxes(
 {
     const Words d;
     boxes.first = first;
-    gather_places(mesh, first, last, boxes);
-    boxes.inside_count = boxes.unseen_count = 0;
+    gather_quantized_corners(mesh, first, last, boxes);
+    boxes.inside_count = boxes.unprojected_count = 0;
     for (std::size_t i = 0; i < hwy::RoundUpTo(last - first, 8); i += hn::Lanes(d)) {
         const Word a = hn::Load(d, boxes.corner[0] + i), b = hn::Load(d, boxes.corner[1] + i),
                    c = hn::Load(d, boxes.corner[2] + i);
         const Word low = least16(least16(a, b), c), high = greatest16(greatest16(a, b), c);
         const auto given = hn::FirstN(d, std::max(i, last - first) - i);
-        const auto unseen = hn::And(given, any16(high, kLastPlace, 0xFFFF));
-        if (!hn::AllFalse(d, unseen)) [[unlikely]]
-            append(i, unseen, boxes.unseen, boxes.unseen_count);
+        const auto unprojected = hn::And(given, any16(high, kQuantizedMax, 0xFFFF));
+        if (!hn::AllFalse(d, unprojected)) [[unlikely]]
+            append(i, unprojected, boxes.unprojected, boxes.unprojected_count);
         // Above or below all samples on an axis, or farther than all.
         const auto beside =
-            hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kLastPlace, kUpperHalf));
-        const auto inside = hn::AndNot(hn::Or(beside, unseen), given);
+            hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kQuantizedMax, kUpperHalf));
+        const auto inside = hn::AndNot(hn::Or(beside, unprojected), given);
         const Word upper = hn::Set(d, kUpperHalf);
         hn::Store(hn::IfThenElse(inside, hn::And(low, upper), upper), d, boxes.low + i);
         hn::Store(hn::IfThenElseZero(inside, high), d, boxes.high + i);
@@ -199,7 +201,7 @@ HWY_NOINLINE void find_boxes(
 
 /// Finds the strips of those inside, and leaves those out that lie behind all samples around them, as
 /// the far side of a body does. Returns a bit for each eight triangles of which some are left.
-HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& boxes)
+HWY_NOINLINE std::uint32_t remove_occluded_behind(const SampleGrid& grid, GridBoxes& boxes)
 {
     static_assert(GridBoxes::kTriangles == 32 * 8);
     std::size_t kept = 0;
@@ -221,11 +223,11 @@ HWY_NOINLINE std::uint32_t leave_out_behind(const SampleGrid& grid, GridBoxes& b
 HWY_INLINE void sort_boxes(const SampleGrid& grid, GridBoxes& boxes)
 {
     std::uint32_t groups = 0;
-    if (boxes.pause.is_over()) {
+    if (boxes.backoff.should_try()) {
         const std::size_t before = boxes.inside_count;
-        groups = leave_out_behind(grid, boxes);
+        groups = remove_occluded_behind(grid, boxes);
         // It costs a third of what is done with a triangle that is left.
-        boxes.pause.after(8 * (before - boxes.inside_count) >= before);
+        boxes.backoff.record(8 * (before - boxes.inside_count) >= before);
     } else {
         for (std::size_t k = 0; k < boxes.inside_count; ++k) {
             const std::uint32_t i = boxes.inside[k];

@@ -35,12 +35,12 @@ struct GridClusters {
     };
     std::size_t count = 0;
     Cluster cluster[kClusters + 1];
-    Backoff pause;
+    Backoff backoff;
 
     // Of one cluster: samples in its box, and those that some triangles may shadow.
-    static constexpr std::size_t kRoom = kMostSamples + 2 * kSize;
-    std::uint32_t slot[kRoom];
-    std::uint8_t found[kRoom]; // triangles, a bit each
+    static constexpr std::size_t kCapacity = kMostSamples + 2 * kSize;
+    std::uint32_t sample[kCapacity];
+    std::uint8_t found[kCapacity]; // triangles, a bit each
 };
 
 /// The least and the greatest of eight boxes from number i on.
@@ -97,9 +97,11 @@ HWY_NOINLINE std::size_t test_clusters(
             continue;
         }
         if (is_behind(grid, strips, to.low, to.high)) continue;
-        for (std::uint32_t k = 0; k < 32; k += 8) __builtin_prefetch(&grid.place[run.first + k]);
+        for (std::uint32_t k = 0; k < 32; k += 8)
+            __builtin_prefetch(&grid.quantized[run.first + k]);
         for (std::uint32_t k = 0; k < 32; k += 16) __builtin_prefetch(&grid.item[run.first + k]);
-        for (std::uint32_t k = 0; k < 16; k += 8) __builtin_prefetch(&grid.place[second.first + k]);
+        for (std::uint32_t k = 0; k < 16; k += 8)
+            __builtin_prefetch(&grid.quantized[second.first + k]);
         __builtin_prefetch(&grid.item[second.first]);
         to.run[0] = run, to.run[1] = second;
         clusters.count += samples > 0;
@@ -119,11 +121,11 @@ HWY_INLINE std::size_t choose_samples(
     std::size_t count = 0;
     for (const GridRun& run : cluster.run)
         for (std::uint32_t k = run.first; k < run.last; k += std::uint32_t(hn::Lanes(d))) {
-            const Word sample = hn::LoadU(d, grid.place.data() + k);
+            const Word sample = hn::LoadU(d, grid.quantized.data() + k);
             const auto inside = hn::Eq(greatest16(least16(sample, high), low), sample);
             const std::uint8_t byte[8] = {std::uint8_t(bits_of_words(inside))};
             hn::StoreU(hn::Compress(hn::Add(numbers, hn::Set(d32, k)), hn::LoadMaskBits(d32, byte)),
-                d32, clusters.slot + count);
+                d32, clusters.sample + count);
             count += std::size_t(std::popcount(byte[0]));
         }
     return count;
@@ -143,11 +145,11 @@ HWY_INLINE void test_samples(const SampleGrid& grid, const GridBoxes& boxes, std
             find_edges(grid, a, load(boxes.corner[1]), load(boxes.corner[2]), low, high);
         const auto own = hn::Add(hn::Iota(d32, 0), hn::Set(d32, std::uint32_t(boxes.first + i)));
         for (std::size_t s = 0; s < count; ++s) {
-            const Word sample = hn::Set(d, grid.place[clusters.slot[s]]);
+            const Word sample = hn::Set(d, grid.quantized[clusters.sample[s]]);
             const Word in_box = greatest16(least16(sample, high), low);
             const auto inside =
                 hn::AndNot(edges.outside(difference16(sample, a)), hn::Eq(in_box, sample));
-            const auto others = hn::Ne(own, hn::Set(d32, grid.item[clusters.slot[s]]));
+            const auto others = hn::Ne(own, hn::Set(d32, grid.item[clusters.sample[s]]));
             const std::uint32_t found = (bits_of_words(inside) & std::uint32_t(bits(d32, others)))
                                         << k;
             clusters.found[s] = std::uint8_t(k == 0 ? found : clusters.found[s] | found);
@@ -169,15 +171,15 @@ HWY_NOINLINE void test_clusters(
         std::size_t kept = 0;
         for (std::size_t s = 0; s < count; ++s) {
             const std::uint8_t found = clusters.found[s];
-            clusters.slot[kept] = clusters.slot[s];
+            clusters.sample[kept] = clusters.sample[s];
             clusters.found[kept] = found;
             kept += found != 0;
         }
         for (std::size_t s = 0; s < kept; ++s) {
-            __builtin_prefetch(&test.grid.number[clusters.slot[s]]);
+            __builtin_prefetch(&test.grid.sample_index[clusters.sample[s]]);
             for (std::uint32_t rest = clusters.found[s]; rest; rest &= rest - 1) {
                 pairs.triangle[pairs.count] = first + std::uint32_t(std::countr_zero(rest));
-                pairs.slot[pairs.count++] = clusters.slot[s];
+                pairs.sample[pairs.count++] = clusters.sample[s];
             }
             if (pairs.count >= GridPairs::kMost) [[unlikely]]
                 decide_pairs(test, pairs);

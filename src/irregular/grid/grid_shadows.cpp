@@ -28,34 +28,34 @@ constexpr std::uint32_t kMostSamples = 4096; // what meets more of them is not f
 /// leaves is a list for the next one, so that nothing jumps where it is not foreseen.
 struct GridBatch {
     /// Eight samples that a triangle is tested against.
-    struct Meeting {
+    struct Candidate {
         std::uint32_t number; // of the boxes
         std::uint32_t first;  // sample
     };
-    static constexpr std::size_t kMeetings = 4 * GridBoxes::kTriangles;
-    static constexpr std::size_t kRoom = kMeetings + 2;
+    static constexpr std::size_t kMaxCandidates = 4 * GridBoxes::kTriangles;
+    static constexpr std::size_t kCapacity = kMaxCandidates + 2;
 
     GridBoxes boxes;
     GridClusters clusters;
     GridPairs pairs;
-    std::size_t meeting_count = 0, more_count = 0, wide_count = 0;
-    Meeting meeting[kRoom];
+    std::size_t candidate_count = 0, second_count = 0, wide_count = 0;
+    Candidate candidate[kCapacity];
 
     // Of the boxes' `inside`
-    std::uint32_t more[GridBoxes::kRoom];     // those that reach into a second strip
-    std::uint32_t wide[2 * GridBoxes::kRoom]; // over many strips or samples
+    std::uint32_t second[GridBoxes::kCapacity];   // those that reach into a second strip
+    std::uint32_t wide[2 * GridBoxes::kCapacity]; // over many strips or samples
 
     // Of the meetings
-    std::uint32_t found[kRoom];     // those some of whose samples may be shadowed
-    std::uint8_t found_bits[kRoom]; // and which
+    std::uint32_t found[kCapacity];     // those some of whose samples may be shadowed
+    std::uint8_t found_bits[kCapacity]; // and which
 };
 
 /// The samples that may be shadowed, a bit each.
-HWY_INLINE std::uint32_t test_meeting(
-    const GridTest& test, const GridBoxes& boxes, const GridBatch::Meeting& meeting)
+HWY_INLINE std::uint32_t test_candidate(
+    const GridTest& test, const GridBoxes& boxes, const GridBatch::Candidate& candidate)
 {
     const Words d;
-    const std::size_t i = meeting.number;
+    const std::size_t i = candidate.number;
     const auto set = [&](const std::uint64_t& v) { return hn::Set(d, v); };
     const Word low = set(boxes.low[i]), high = set(boxes.high[i]), a = set(boxes.corner[0][i]);
     const GridEdges edges{
@@ -65,8 +65,8 @@ HWY_INLINE std::uint32_t test_meeting(
     const auto own = hn::Set(d32, std::uint32_t(boxes.first + i));
     std::uint32_t found = 0;
     for (std::uint32_t k = 0; k < kEight; k += std::uint32_t(hn::Lanes(d))) {
-        const Word sample = hn::LoadU(d, test.grid.place.data() + meeting.first + k);
-        const auto item = hn::LoadU(d32, test.grid.item.data() + meeting.first + k);
+        const Word sample = hn::LoadU(d, test.grid.quantized.data() + candidate.first + k);
+        const auto item = hn::LoadU(d32, test.grid.item.data() + candidate.first + k);
         const Word in_box = greatest16(least16(sample, high), low);
         const auto inside =
             hn::AndNot(edges.outside(difference16(sample, a)), hn::Eq(in_box, sample));
@@ -76,102 +76,102 @@ HWY_INLINE std::uint32_t test_meeting(
 }
 
 /// All meetings, which are forgotten.
-HWY_NOINLINE void test_meetings(GridTest& test, GridBatch& batch)
+HWY_NOINLINE void test_candidates(GridTest& test, GridBatch& batch)
 {
     std::size_t found = 0;
-    for (std::size_t k = 0; k < batch.meeting_count; ++k) {
-        const std::uint32_t chosen = test_meeting(test, batch.boxes, batch.meeting[k]);
+    for (std::size_t k = 0; k < batch.candidate_count; ++k) {
+        const std::uint32_t chosen = test_candidate(test, batch.boxes, batch.candidate[k]);
         batch.found[found] = std::uint32_t(k);
         batch.found_bits[found] = std::uint8_t(chosen);
         found += chosen != 0;
     }
     GridPairs& pairs = batch.pairs;
     for (std::size_t k = 0; k < found; ++k) {
-        const GridBatch::Meeting& meeting = batch.meeting[batch.found[k]];
-        const std::uint32_t triangle = std::uint32_t(batch.boxes.first) + meeting.number;
+        const GridBatch::Candidate& candidate = batch.candidate[batch.found[k]];
+        const std::uint32_t triangle = std::uint32_t(batch.boxes.first) + candidate.number;
         for (std::uint32_t rest = batch.found_bits[k]; rest; rest &= rest - 1) {
             pairs.triangle[pairs.count] = triangle;
-            pairs.slot[pairs.count++] = meeting.first + std::uint32_t(std::countr_zero(rest));
+            pairs.sample[pairs.count++] = candidate.first + std::uint32_t(std::countr_zero(rest));
         }
         if (pairs.count >= GridPairs::kMost) [[unlikely]]
             decide_pairs(test, pairs);
     }
-    test.counts.pairs += batch.meeting_count * kEight;
-    batch.meeting_count = 0;
+    test.counts.pairs += batch.candidate_count * kEight;
+    batch.candidate_count = 0;
 }
 
 /// Adds the samples of a run to the meetings; false where they are too many for that.
-HWY_INLINE bool meet_run(const SampleGrid& grid, std::uint32_t i, GridRun run, GridBatch& batch)
+HWY_INLINE bool add_run(const SampleGrid& grid, std::uint32_t i, GridRun run, GridBatch& batch)
 {
     const std::uint32_t count = run.last - run.first;
     if (count > 2 * kEight) [[unlikely]]
         return false;
-    __builtin_prefetch(&grid.place[run.first]);
-    __builtin_prefetch(&grid.place[run.first + kEight - 1]);
+    __builtin_prefetch(&grid.quantized[run.first]);
+    __builtin_prefetch(&grid.quantized[run.first + kEight - 1]);
     __builtin_prefetch(&grid.item[run.first]);
-    GridBatch::Meeting* const to = batch.meeting + batch.meeting_count;
+    GridBatch::Candidate* const to = batch.candidate + batch.candidate_count;
     to[0] = {i, run.first};
     to[1] = {i, run.first + kEight};
-    batch.meeting_count += std::size_t(count > 0) + std::size_t(count > kEight);
+    batch.candidate_count += std::size_t(count > 0) + std::size_t(count > kEight);
     return true;
 }
 
 /// Looks up the samples that all boxes but wide ones meet, over at most two strips: the first strips
 /// of all, then the second ones.
-HWY_NOINLINE void sample_maps_of_runs(GridTest& test, GridBatch& batch)
+HWY_NOINLINE void look_up_runs(GridTest& test, GridBatch& batch)
 {
     const SampleGrid& grid = test.grid;
     const GridBoxes& boxes = batch.boxes;
-    batch.wide_count = batch.more_count = 0;
+    batch.wide_count = batch.second_count = 0;
     for (std::size_t k = 0; k < boxes.inside_count; ++k) {
         const std::uint32_t i = boxes.inside[k];
         const std::uint64_t low = boxes.low[i], high = boxes.high[i];
         const StripRange strips = boxes.strips[k];
         const GridRun run = run_of(grid, strips.first, low, high);
-        if (strips.last - strips.first > 1 || !meet_run(grid, i, run, batch)) [[unlikely]] {
+        if (strips.last - strips.first > 1 || !add_run(grid, i, run, batch)) [[unlikely]] {
             batch.wide[batch.wide_count++] = std::uint32_t(k);
             continue;
         }
-        batch.more[batch.more_count] = std::uint32_t(k);
-        batch.more_count += strips.last != strips.first;
+        batch.second[batch.second_count] = std::uint32_t(k);
+        batch.second_count += strips.last != strips.first;
     }
-    for (std::size_t k = 0; k < batch.more_count; ++k) {
-        const std::uint32_t i = boxes.inside[batch.more[k]];
-        const std::uint32_t strip = boxes.strips[batch.more[k]].last;
+    for (std::size_t k = 0; k < batch.second_count; ++k) {
+        const std::uint32_t i = boxes.inside[batch.second[k]];
+        const std::uint32_t strip = boxes.strips[batch.second[k]].last;
         const GridRun run = run_of(grid, strip, boxes.low[i], boxes.high[i]);
-        if (!meet_run(grid, i, run, batch)) [[unlikely]]
-            batch.wide[batch.wide_count++] = batch.more[k];
+        if (!add_run(grid, i, run, batch)) [[unlikely]]
+            batch.wide[batch.wide_count++] = batch.second[k];
     }
 }
 
 /// The samples that a wide box meets, unless these are too many: then false.
-bool sample_wide_map(GridTest& test, GridBatch& batch, std::uint32_t k)
+bool look_up_wide_box(GridTest& test, GridBatch& batch, std::uint32_t k)
 {
     const std::uint32_t i = batch.boxes.inside[k];
     const std::uint64_t low = batch.boxes.low[i], high = batch.boxes.high[i];
     const StripRange strips = batch.boxes.strips[k];
-    static_assert(2 * kMostSamples / kEight <= GridBatch::kMeetings);
-    if (batch.meeting_count + kMostSamples / kEight > GridBatch::kMeetings)
-        test_meetings(test, batch);
-    const std::size_t before = batch.meeting_count;
+    static_assert(2 * kMostSamples / kEight <= GridBatch::kMaxCandidates);
+    if (batch.candidate_count + kMostSamples / kEight > GridBatch::kMaxCandidates)
+        test_candidates(test, batch);
+    const std::size_t before = batch.candidate_count;
     std::uint32_t samples = 0;
     for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) {
         const GridRun run = run_of(test.grid, strip, low, high);
         samples += run.last - run.first + kEight;
         if (samples > kMostSamples) {
-            batch.meeting_count = before;
+            batch.candidate_count = before;
             return false;
         }
         for (std::uint32_t first = run.first; first < run.last; first += kEight) {
-            __builtin_prefetch(&test.grid.place[first]);
-            batch.meeting[batch.meeting_count++] = {i, first};
+            __builtin_prefetch(&test.grid.quantized[first]);
+            batch.candidate[batch.candidate_count++] = {i, first};
         }
     }
     return true;
 }
 
-/// The box of a triangle all of whose corners are seen.
-ProjectedTriangle seen_triangle(const PencilMesh& mesh, std::uint32_t triangle)
+/// The box of a triangle all of whose corners are projected.
+ProjectedTriangle project_triangle(const PencilMesh& mesh, std::uint32_t triangle)
 {
     const Corners corners = mesh.corners(triangle);
     ProjectedPoint p[3];
@@ -182,33 +182,35 @@ ProjectedTriangle seen_triangle(const PencilMesh& mesh, std::uint32_t triangle)
 }
 
 void test_range(PencilMesh& mesh, std::size_t range, const SampleGrid& grid,
-    const LightPoints& points, std::uint8_t* shadowed, ShadowCounts& counts)
+    const PencilPoints& points, std::uint8_t* shadowed, TestCounts& counts)
 {
-    const std::size_t first = range * kLightRange,
-                      last = std::min(mesh.index.size(), first + kLightRange);
+    const std::size_t first = range * kMeshRange,
+                      last = std::min(mesh.index.size(), first + kMeshRange);
     ProjectedTriangle* left = &mesh.in_view[first];
     GridTest test{mesh, grid, points, shadowed, {}};
     GridBatch batch;
     for (std::size_t t = first; t < last; t += GridBoxes::kTriangles) {
         const std::size_t end = std::min(last, t + GridBoxes::kTriangles);
         find_boxes(mesh, t, end, batch.boxes);
-        if (batch.clusters.pause.is_over()) {
+        if (batch.clusters.backoff.should_try()) {
             const std::size_t wide = test_clusters(grid, end - t, batch.boxes, batch.clusters);
-            batch.clusters.pause.after(2 * GridClusters::kSize * wide <= end - t);
+            batch.clusters.backoff.record(2 * GridClusters::kSize * wide <= end - t);
             test_clusters(test, batch.boxes, batch.clusters, batch.pairs);
         }
         sort_boxes(grid, batch.boxes);
         test.counts.triangles += batch.boxes.inside_count;
-        sample_maps_of_runs(test, batch);
+        look_up_runs(test, batch);
         for (std::size_t k = 0; k < batch.wide_count; ++k)
-            if (!sample_wide_map(test, batch, batch.wide[k]))
-                *left++ = seen_triangle(mesh, std::uint32_t(t + batch.boxes.inside[batch.wide[k]]));
-        test_meetings(test, batch);
-        for (std::size_t k = 0; k < batch.boxes.unseen_count; ++k) {
-            ProjectedTriangle unseen{std::uint32_t(t + batch.boxes.unseen[k]), 0, 0, 0, 0, 0};
-            if (project_carefully(mesh.face, mesh.corners(unseen.triangle), unseen) &&
-                may_shadow(unseen, grid.bounds))
-                *left++ = unseen;
+            if (!look_up_wide_box(test, batch, batch.wide[k]))
+                *left++ =
+                    project_triangle(mesh, std::uint32_t(t + batch.boxes.inside[batch.wide[k]]));
+        test_candidates(test, batch);
+        for (std::size_t k = 0; k < batch.boxes.unprojected_count; ++k) {
+            ProjectedTriangle unprojected{
+                std::uint32_t(t + batch.boxes.unprojected[k]), 0, 0, 0, 0, 0};
+            if (project_clipped(mesh.face, mesh.corners(unprojected.triangle), unprojected) &&
+                may_hit(unprojected, grid.bounds))
+                *left++ = unprojected;
         }
     }
     decide_pairs(test, batch.pairs);
@@ -226,7 +228,8 @@ namespace firsthit {
 
 HWY_EXPORT(test_range);
 
-bool goes_along_y(const PencilMesh& mesh, const CubeFace& face, const SampleBounds& bounds)
+bool prefers_strips_along_y(
+    const PencilMesh& mesh, const CubeFace& face, const SampleBounds& bounds)
 {
     constexpr std::size_t kAsked = 256, kFar = 8; // triangles, and how far the next one is
     const std::size_t step = std::max<std::size_t>(1, mesh.index.size() / kAsked);
@@ -234,17 +237,18 @@ bool goes_along_y(const PencilMesh& mesh, const CubeFace& face, const SampleBoun
     for (std::size_t t = 0; t + kFar < mesh.index.size(); t += step) {
         const glm::vec3 corner[2] = {
             mesh.corner[mesh.index[t].x], mesh.corner[mesh.index[t + kFar].x]};
-        ProjectedPoint seen[2];
-        project_vertices_to_face(face, corner, 2, seen);
-        const float dx = std::abs(seen[1].x - seen[0].x), dy = std::abs(seen[1].y - seen[0].y);
-        if (!std::isfinite(dx + dy)) continue; // one is not seen
+        ProjectedPoint projected[2];
+        project_vertices_to_face(face, corner, 2, projected);
+        const float dx = std::abs(projected[1].x - projected[0].x),
+                    dy = std::abs(projected[1].y - projected[0].y);
+        if (!std::isfinite(dx + dy)) continue; // one is not projected
         along_x += dx, along_y += dy;
     }
     return along_y * (bounds.x1 - bounds.x0) > along_x * (bounds.y1 - bounds.y0);
 }
 
-std::size_t test_grid(PencilMesh& mesh, const SampleGrid& grid, const LightPoints& points,
-    std::span<GridShadowCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed)
+std::size_t test_grid(PencilMesh& mesh, const SampleGrid& grid, const PencilPoints& points,
+    std::span<GridTestCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
     tasks.for_each(mesh.range_count.size(), [&](std::size_t range, std::size_t worker) {
         HWY_DYNAMIC_DISPATCH(test_range)

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The places of a register of coordinates, whole numbers in 32 bits: at most `last`.
 template <class V>
-HWY_INLINE auto places_along(const GridAxes::Axis& axis, float last, V v)
+HWY_INLINE auto quantize(const GridAxes::Axis& axis, float last, V v)
 {
     const hn::DFromV<V> d;
     const hn::RebindToSigned<decltype(d)> whole;

@@ -24,19 +24,19 @@ using Halves = hn::RebindToUnsigned<Reals>;
 
 /// Words of QuantizedPoint: `w` and the places of x and y.
 template <class V, class W>
-HWY_INLINE void store_places(const GridAxes& axes, V x, V y, W w, std::uint64_t* to)
+HWY_INLINE void store_quantized(const GridAxes& axes, V x, V y, W w, std::uint64_t* to)
 {
     const Halves d;
-    const auto along_x = places_along(axes.x, 65535.0f, x),
-               along_y = places_along(axes.y, 65535.0f, y);
-    const auto xy = axes.turned ? hn::Or(along_y, hn::ShiftLeft<16>(along_x))
-                                : hn::Or(along_x, hn::ShiftLeft<16>(along_y));
+    const auto along_x = quantize(axes.x, 65535.0f, x), along_y = quantize(axes.y, 65535.0f, y);
+    const auto xy = axes.transposed ? hn::Or(along_y, hn::ShiftLeft<16>(along_x))
+                                    : hn::Or(along_x, hn::ShiftLeft<16>(along_y));
     hn::StoreInterleaved2(
         hn::BitCast(d, w), hn::BitCast(d, xy), d, reinterpret_cast<std::uint32_t*>(to));
 }
 
-/// to[k] = the place of sample k. Up to 15 more are written.
-void place_given(const GridAxes& axes, std::span<const IrregularSample> samples, std::uint64_t* to)
+/// to[k] = the point of sample k. Up to 15 more are written.
+void quantize_samples(
+    const GridAxes& axes, std::span<const IrregularSample> samples, std::uint64_t* to)
 {
     const Reals d;
     const std::size_t lanes = hn::Lanes(d);
@@ -50,11 +50,11 @@ void place_given(const GridAxes& axes, std::span<const IrregularSample> samples,
         }
         auto x = hn::Zero(d), y = x, w = x, id = x;
         hn::LoadInterleaved4(d, &from->x, x, y, w, id);
-        store_places(axes, x, y, places_along(axes.w, 65534.0f, w), to + k);
+        store_quantized(axes, x, y, quantize(axes.w, 65534.0f, w), to + k);
     }
 }
 
-void place_corners(const GridAxes& axes, const CubeFace& face, const glm::vec3* corner,
+void quantize_corners(const GridAxes& axes, const CubeFace& face, const glm::vec3* corner,
     std::size_t count, QuantizedPoint* to)
 {
     const Reals d;
@@ -70,14 +70,15 @@ void place_corners(const GridAxes& axes, const CubeFace& face, const glm::vec3* 
         }
         auto px = hn::Zero(d), py = px, pz = px;
         hn::LoadInterleaved3(d, from, px, py, pz);
-        const ProjectedLanes<Reals> seen = project_lanes_to_face(d, face, px, py, pz);
-        const auto w = hn::IfThenElse(hn::RebindMask(whole, seen.sound),
-            places_along(axes.w, 65534.0f, seen.w), hn::Set(whole, kLastPlace));
+        const ProjectedLanes<Reals> projected = project_lanes_to_face(d, face, px, py, pz);
+        const auto w = hn::IfThenElse(hn::RebindMask(whole, projected.valid),
+            quantize(axes.w, 65534.0f, projected.w), hn::Set(whole, kQuantizedMax));
         if (some == lanes) {
-            store_places(axes, seen.x, seen.y, w, reinterpret_cast<std::uint64_t*>(to + v));
+            store_quantized(
+                axes, projected.x, projected.y, w, reinterpret_cast<std::uint64_t*>(to + v));
         } else {
             std::uint64_t words[16];
-            store_places(axes, seen.x, seen.y, w, words);
+            store_quantized(axes, projected.x, projected.y, w, words);
             std::memcpy(to + v, words, some * sizeof words[0]);
         }
     }
@@ -91,17 +92,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firsthit {
 
-HWY_EXPORT(place_given);
-HWY_EXPORT(place_corners);
+HWY_EXPORT(quantize_samples);
+HWY_EXPORT(quantize_corners);
 
 namespace {
 
 // Measured: a higher strip has longer runs, a lower one cuts more triangles.
 constexpr double kStripHeight = 3; // in distances of samples
 constexpr double kWanted = kStripHeight * kStripHeight * double(kStripRows); // samples times rows
-constexpr std::uint64_t kNowhere = 1u << 16; // no place: its `nothing` is something
+constexpr std::uint64_t kSpareWord = 1u << 16; // no point: its `nothing` is something
 
-GridAxes axes_of(const SampleBounds& bounds, bool turned)
+GridAxes axes_of(const SampleBounds& bounds, bool transposed)
 {
     const auto axis = [](float low, float high) {
         const float scale = 65533.0f / (high - low);
@@ -109,10 +110,10 @@ GridAxes axes_of(const SampleBounds& bounds, bool turned)
                                                           : GridAxes::Axis{};
     };
     return {axis(bounds.x0, bounds.x1), axis(bounds.y0, bounds.y1),
-        axis(bounds.farthest_w, bounds.nearest_w), turned};
+        axis(bounds.farthest_w, bounds.nearest_w), transposed};
 }
 
-/// A place is off by 1 / 2 where it is rounded, by 3 roundings on the way of numbers up to 2^16, and
+/// A point is off by 1 / 2 where it is rounded, by 3 roundings on the way of numbers up to 2^16, and
 /// by its coordinate's own one (a point light's). Differences of two places by twice that, d; so
 /// the edge (b - a) x (p - a) by 2 d S + 2 d^2. d is taken as 1.25 or that times a power of 2.
 void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
@@ -174,16 +175,16 @@ std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
     return next;
 }
 
-/// The farthest samples of a strip's columns; kLastPlace where there are none.
+/// The farthest samples of a strip's columns; kQuantizedMax where there are none.
 void find_farthest(std::size_t number, SampleGrid& grid)
 {
     const GridStrip& strip = grid.strips[number];
     std::uint16_t* const farthest = &grid.farthest[number * kDepthColumns];
-    std::fill_n(farthest, kDepthColumns, kLastPlace);
+    std::fill_n(farthest, kDepthColumns, kQuantizedMax);
     for (std::uint32_t k = strip.sample; k < strip.sample + strip.count; ++k) {
-        const std::uint64_t place = grid.place[k];
-        std::uint16_t& least = farthest[place >> (32 + kDepthShift) & (kDepthColumns - 1)];
-        least = std::min(least, std::uint16_t(place));
+        const std::uint64_t point = grid.quantized[k];
+        std::uint16_t& least = farthest[point >> (32 + kDepthShift) & (kDepthColumns - 1)];
+        least = std::min(least, std::uint16_t(point));
     }
     for (std::size_t k = 0; k + 1 < kDepthColumns; ++k)
         farthest[k] = std::min(farthest[k], farthest[k + 1]);
@@ -197,11 +198,11 @@ void sort_strip(std::size_t number, SampleGrid& grid)
     std::uint16_t* const start = &grid.start[strip.first];
     std::uint16_t* const cursor = start + 1;
     const std::size_t columns = 65536u >> strip.shift;
-    const auto column = [&](std::uint64_t place) {
-        return std::uint32_t(place >> 32 & 0xFFFF) >> strip.shift;
+    const auto column = [&](std::uint64_t point) {
+        return std::uint32_t(point >> 32 & 0xFFFF) >> strip.shift;
     };
     std::fill_n(start, columns + 1, std::uint16_t(0));
-    for (std::uint32_t k = first; k < last; ++k) ++cursor[column(grid.by_strip[k].place)];
+    for (std::uint32_t k = first; k < last; ++k) ++cursor[column(grid.by_strip[k].quantized)];
     std::uint32_t next = 0;
     std::uint64_t squares = 0;
     for (std::size_t c = 0; c < columns; ++c) {
@@ -213,10 +214,10 @@ void sort_strip(std::size_t number, SampleGrid& grid)
     grid.squares[number] = double(squares);
     for (std::uint32_t k = first; k < last; ++k) {
         const SortedSample& sample = grid.by_strip[k];
-        const std::uint32_t to = first + cursor[column(sample.place)]++;
-        grid.place[to] = sample.place;
+        const std::uint32_t to = first + cursor[column(sample.quantized)]++;
+        grid.quantized[to] = sample.quantized;
         grid.item[to] = sample.item;
-        grid.number[to] = sample.number;
+        grid.sample_index[to] = sample.sample_index;
     }
 }
 
@@ -234,32 +235,32 @@ double find_crowding(std::size_t samples, const SampleGrid& grid)
 
 } // namespace
 
-void place_vertices(const GridAxes& axes, const CubeFace& face, const glm::vec3* corner,
-    std::size_t count, QuantizedPoint* places)
+void quantize_vertices(const GridAxes& axes, const CubeFace& face, const glm::vec3* corner,
+    std::size_t count, QuantizedPoint* quantized)
 {
-    HWY_DYNAMIC_DISPATCH(place_corners)(axes, face, corner, count, places);
+    HWY_DYNAMIC_DISPATCH(quantize_corners)(axes, face, corner, count, quantized);
 }
 
 bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const GridView& view, const LightPoints& points, SampleGrid& grid,
-    Tasks& tasks)
+    const SampleBounds& bounds, const GridLayout& view, const PencilPoints& points,
+    SampleGrid& grid, Tasks& tasks)
 {
     grid.bounds = bounds;
-    grid.axes = axes_of(bounds, view.turned);
+    grid.axes = axes_of(bounds, view.transposed);
     grid.samples = samples;
     find_errors(bounds, view.directional, grid);
     const Shares shares(patches.size(), std::size_t(tasks.threads()));
-    grid.given.resize(samples.size() + SampleGrid::kSpare);
+    grid.unsorted.resize(samples.size() + SampleGrid::kSpare);
     grid.row_counts.resize(shares.count * kStripRows);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* counts = &grid.row_counts[share * kStripRows];
         std::fill_n(counts, kStripRows, 0u);
         for (const SamplePatch& patch : shares.of(patches, share)) {
-            std::uint64_t* place = &grid.given[patch.range.first];
-            HWY_DYNAMIC_DISPATCH(place_given)
-            (grid.axes, samples.subspan(patch.range.first, patch.range.count), place);
+            std::uint64_t* point = &grid.unsorted[patch.range.first];
+            HWY_DYNAMIC_DISPATCH(quantize_samples)
+            (grid.axes, samples.subspan(patch.range.first, patch.range.count), point);
             for (std::size_t k = 0; k < patch.range.count; ++k)
-                ++counts[place[k] >> (48 + kStripShift)];
+                ++counts[point[k] >> (48 + kStripShift)];
         }
     });
 
@@ -275,25 +276,25 @@ bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const Sa
         for (const SamplePatch& patch : shares.of(patches, share)) {
             for (std::size_t k = patch.range.first; k < patch.range.first + patch.range.count;
                  ++k) {
-                const std::uint64_t place = grid.given[k];
+                const std::uint64_t point = grid.unsorted[k];
                 const std::uint32_t item =
                     points.item ? points.item[samples[k].id] : std::uint32_t(kNoItem);
-                grid.by_strip[cursor[grid.strip_of[place >> (48 + kStripShift)]]++] = {
-                    place, item, std::uint32_t(k)};
+                grid.by_strip[cursor[grid.strip_of[point >> (48 + kStripShift)]]++] = {
+                    point, item, std::uint32_t(k)};
             }
         }
     });
 
-    grid.place.resize(total + SampleGrid::kSpare, total / 4);
+    grid.quantized.resize(total + SampleGrid::kSpare, total / 4);
     grid.item.resize(total + SampleGrid::kSpare, total / 4);
-    grid.number.resize(total, total / 4);
+    grid.sample_index.resize(total, total / 4);
     grid.squares.resize(strips, strips / 4);
     grid.farthest.resize(strips * kDepthColumns, strips * kDepthColumns / 4);
     tasks.for_each(strips, [&](std::size_t strip, std::size_t) {
         sort_strip(strip, grid);
         find_farthest(strip, grid);
     });
-    std::fill_n(&grid.place[total], SampleGrid::kSpare, kNowhere);
+    std::fill_n(&grid.quantized[total], SampleGrid::kSpare, kSpareWord);
     std::fill_n(&grid.item[total], SampleGrid::kSpare, std::uint32_t(kNoItem));
     grid.crowding = find_crowding(total, grid);
     return true;

@@ -30,7 +30,7 @@ inline constexpr std::size_t kStripRows = 65536 >> kStripShift;
 inline constexpr int kDepthShift = 8;
 inline constexpr std::size_t kDepthColumns = 65536 >> kDepthShift;
 
-/// A place's cell is first + (x >> shift).
+/// A point's cell is first + (x >> shift).
 struct GridStrip {
     std::uint32_t first = 0;
     std::uint32_t shift = 0;
@@ -40,8 +40,8 @@ struct GridStrip {
 
 /// A sample on its way to its strip.
 struct SortedSample {
-    std::uint64_t place; // as in SampleGrid
-    std::uint32_t item, number;
+    std::uint64_t quantized; // as in SampleGrid
+    std::uint32_t item, sample_index;
 };
 
 /// Kept from frame to frame.
@@ -55,11 +55,11 @@ struct SampleGrid {
     Buffer<std::uint16_t> strip_of;           // (kStripRows) the strip of y >> kStripShift
     Buffer<GridStrip> strips;
     Buffer<std::uint16_t> start; // (cells) the first sample, from the strip's; at last their end
-    Buffer<std::uint64_t> place; // (samples) QuantizedPoint
+    Buffer<std::uint64_t> quantized; // (samples) QuantizedPoint
     Buffer<std::uint16_t>
-        farthest;                 // (strips, kDepthColumns) the least w in this column and the next
-    Buffer<std::uint32_t> item;   // (samples) the triangle that each lies on
-    Buffer<std::uint32_t> number; // (samples) of each in `samples`
+        farthest;               // (strips, kDepthColumns) the least w in this column and the next
+    Buffer<std::uint32_t> item; // (samples) the triangle that each lies on
+    Buffer<std::uint32_t> sample_index; // (samples) of each in `samples`
 
     /// By how much places may be off: an edge of two corners and a sample, all in a box whose width
     /// and height are S, is at most (2.5 S << error_shift) + error_rest from what it is without
@@ -72,7 +72,7 @@ struct SampleGrid {
     double crowding = 0;
 
     // While sorting.
-    Buffer<std::uint64_t> given;      // places, as the samples that were given
+    Buffer<std::uint64_t> unsorted;   // places, as the samples that were given
     Buffer<std::uint32_t> row_counts; // (shares, kStripRows)
     Buffer<std::uint32_t> cursor;     // (shares, strips)
     Buffer<SortedSample> by_strip;
@@ -80,16 +80,16 @@ struct SampleGrid {
 };
 
 /// Who looks at the samples.
-struct GridView {
+struct GridLayout {
     bool directional = false; // a face whose samples are not rounded
-    bool turned = false;      // strips are to lie along y
+    bool transposed = false;  // strips are to lie along y
 };
 
 /// Sorts the samples of the patches; they have to stay. False where that cannot be: too many lie in
 /// one row of places.
 /// bounds  of all of them
 bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const GridView& view, const LightPoints& points, SampleGrid& grid,
-    Tasks& tasks);
+    const SampleBounds& bounds, const GridLayout& view, const PencilPoints& points,
+    SampleGrid& grid, Tasks& tasks);
 
 } // namespace firsthit

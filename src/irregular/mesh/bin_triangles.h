@@ -1,4 +1,5 @@
-// bin_triangles.h - copies triangles to all bins that they belong to: a counting sort in three passes.
+// bin_triangles.h - copies each triangle to every bin it belongs to: a parallel counting sort in three
+// passes (count, prefix sum, copy). A bin is a cell of a grid or a patch of samples.
 #pragma once
 
 #include "base/buffer.h"
@@ -12,8 +13,9 @@
 
 namespace firsthit {
 
-/// Consecutive ranges that one task takes, so that there are not many more counts than things to
-/// sort.
+/// Divides a list of ranges into shares of consecutive ranges, one share a task. Each share has its
+/// own counters, one a bin; with at most four shares a thread the counters stay fewer than the
+/// triangles or samples to be sorted.
 struct Shares {
     std::size_t count, size;
 
@@ -31,16 +33,20 @@ struct Shares {
     }
 };
 
-/// From counts (shares, bins) to where each share writes its part of each bin, and where the bins
-/// start. Returns the sum.
+/// The prefix sum between the two passes.
+///
+/// cursor   (shares, bins) in: how many entries each share has for each bin; out: the index at which
+///          the share writes its first entry of that bin
+/// start    (bins + 1) out: the index at which each bin starts; the last element is the total
+/// returns  the total number of entries
 std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint32_t>& cursor,
     Buffer<std::uint32_t>& start);
 
-/// Triangles by bin, in their order. Kept from frame to frame.
+/// Triangles sorted by bin; within a bin they keep their order. The memory is kept from frame to frame.
 struct TriangleBins {
     Buffer<ProjectedTriangle> triangles;
     Buffer<std::uint32_t> start;  // (bins + 1)
-    Buffer<std::uint32_t> cursor; // (shares, bins), while sorting
+    Buffer<std::uint32_t> cursor; // (shares, bins) used only while sorting
 
     std::span<const ProjectedTriangle> of(std::size_t bin) const
     {
@@ -48,15 +54,19 @@ struct TriangleBins {
     }
 };
 
-/// ranges    into `from`
-/// for_bins  for_bins(k, f) calls f(bin) for each of the bins of from[k]
-/// returns   false where that would be far more than a few copies a triangle: nothing is sorted
+/// Sorts the triangles of the given ranges into `bins` bins.
+///
+/// ranges    ranges of indices into `from`
+/// for_bins  for_bins(k, f) calls f(bin) for each bin of from[k], the same bins at every call
+/// returns   false, and sorts nothing, if that took far more than a few copies a triangle. With one
+///           bin it never returns false
 template <class ForBins>
 bool bin_triangles(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
     std::size_t bins, const ForBins& for_bins, TriangleBins& out, Tasks& tasks)
 {
-    constexpr std::uint64_t kManyCopies = std::uint64_t(1) << 24; // beyond four a triangle: 400 MB
-    constexpr std::uint64_t kMostCopies = 0xFFFFFFFF;             // numbered in 32 bits
+    // The limit is four copies a triangle and 2^24 more (400 MB of memory).
+    constexpr std::uint64_t kManyCopies = std::uint64_t(1) << 24;
+    constexpr std::uint64_t kMostCopies = 0xFFFFFFFF; // cursors have 32 bits
     const Shares shares(ranges.size(), std::size_t(tasks.threads()));
     out.cursor.resize(shares.count * bins, shares.count * bins + 4096);
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
@@ -69,7 +79,8 @@ bool bin_triangles(std::span<const ProjectedTriangle> from, std::span<const Samp
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
     const std::uint64_t most = std::min(kManyCopies + 4 * from.size(), kMostCopies);
     if (total > most && bins > 1) return false;
-    out.triangles.resize(total, total + 2 * from.size()); // moving scenes need more now and then
+    // The spare room avoids that a moving scene, which needs a little more now and then, reallocates.
+    out.triangles.resize(total, total + 2 * from.size());
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
         ProjectedTriangle* to = out.triangles.data();

@@ -1,4 +1,7 @@
-// cube_face.h - one side of the cube around a light, or all that a directional light shines on.
+// cube_face.h - one face of the cube around a pencil's origin, or the image plane of a parallel pencil.
+//
+// A pencil is a set of rays that all go through one point (its origin: a point light or an eye), or
+// that are all parallel (a directional light).
 #pragma once
 
 #include "exact/shadow_ray.h"
@@ -9,28 +12,33 @@
 
 namespace firsthit {
 
-inline constexpr int kLightFaces = 6;
+inline constexpr int kCubeFaces = 6;
 
-/// How far x and y of samples may be from 0: of the wide face. Others' are within 1.
-inline constexpr float kWidestFace = 8;
+/// The limit of |x| and |y| of samples on a wide face (PencilMesh::wide_face). On the six ordinary
+/// faces |x| and |y| are at most 1.
+inline constexpr float kWideFaceLimit = 8;
 
-/// Coordinates on one face: d in the light's space is seen at (x, y) = (a, b) / c, where c is the
-/// coordinate along the face's axis and a, b are the other two; they only change places and sign,
-/// so nothing is rounded. The depth is kept as w = 1 / c. A directional light has one face, where
-/// (x, y) = (a, b) and w = -c. In both, w is affine in (x, y) on a plane, and greater is nearer to
-/// the light.
+/// The projection to one face. A point of the pencil's space has the coordinates (a, b, c) in the
+/// axes of the face: c is the one along the face's normal. These are the point's own coordinates,
+/// reordered and c with a sign, so they are not rounded.
+///
+///     pencil with an origin   (x, y) = (a, b) / c   w = 1 / c     six faces; the face has c > 0
+///     parallel pencil         (x, y) = (a, b)       w = -c        one face
+///
+/// In both, w is an affine function of (x, y) on a plane, and a greater w is nearer to the origin.
 struct CubeFace {
     bool directional = false;
     int axis_a = 0, axis_b = 1, axis_c = 2;
-    float sign = 1; // of the axis
+    float sign = 1; // c = sign * d[axis_c]
 
-    glm::vec3 seen_from(const glm::vec3& d) const
+    /// (a, b, c) of a point in the pencil's space.
+    glm::vec3 to_face_axes(const glm::vec3& d) const
     {
         return {d[axis_a], d[axis_b], sign * d[axis_c]};
     }
 };
 
-/// number  0 to 5: +x, -x, +y, -y, +z, -z; a directional light has number 0 only
+/// number  0 to 5: +x, -x, +y, -y, +z, -z. Ignored for a parallel pencil, whose one face is number 0
 inline CubeFace cube_face(bool directional, int number)
 {
     if (directional) return {.directional = true};
@@ -41,8 +49,8 @@ inline CubeFace cube_face(bool directional, int number)
         .sign = number % 2 ? -1.0f : 1.0f};
 }
 
-/// A point as its face sees it: one rounding each, so what lies between two points is seen between
-/// them. x and y of a point light's samples are within kWidestFace.
+/// A point projected to a face. Each coordinate is rounded once, so the projection is monotonic: a
+/// coordinate that lies between two others in real arithmetic does so after rounding.
 struct ProjectedPoint {
     float x, y, w;
 };

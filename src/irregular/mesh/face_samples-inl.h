@@ -1,4 +1,5 @@
-// face_samples-inl.h - points in a light's space as samples of one of its faces, a register at a time.
+// face_samples-inl.h - projects points of a pencil's space to samples of one face, one register of
+// points at a time.
 #if defined(FIRSTHIT_IRREGULAR_MESH_FACE_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_MESH_FACE_SAMPLES_INL_H_
 #undef FIRSTHIT_IRREGULAR_MESH_FACE_SAMPLES_INL_H_
@@ -19,11 +20,11 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// What a kernel is made for: the axis of a point light's face, 0 to 2, or all of a directional
-/// light.
+/// The template argument kAxis of the functions below is the axis of the face, 0 to 2, of a pencil
+/// with an origin; kParallel stands for the one face of a parallel pencil.
 inline constexpr int kParallel = 3;
 
-/// The coordinates of CubeFace::seen_from, still without the axis' sign.
+/// CubeFace::to_face_axes, but z is not yet multiplied by the face's sign.
 template <int kAxis>
 HWY_INLINE real3 face_axes(const real3& p)
 {
@@ -42,38 +43,43 @@ HWY_INLINE truth is_within(real a, real limit)
     return {hn::Le(hn::Abs(a.lanes), limit.lanes)};
 }
 
-/// has_shadow_ray but for the light's own place, which no face sees.
+/// As has_shadow_ray, except that the pencil's origin counts as usable. The origin lies on no face, so
+/// on_face and on_wide_face are false for it.
 HWY_INLINE truth is_usable(const real3& p)
 {
     const auto below = [](real v) { return real(hn::Abs(v.lanes)) < real(kFarthest); };
     return all_of(below(p.x), below(p.y), below(p.z));
 }
 
-/// The lanes of usable points that the face sees as the wide one.
+/// The lanes whose points are in front of the wide face with |x| and |y| up to kWideFaceLimit. Points
+/// must be usable.
 template <int kAxis>
 HWY_INLINE truth on_wide_face(const real3& p, float sign)
 {
     const real3 at = face_axes<kAxis>(p);
-    const real widest = at.z * real(sign * kWidestFace); // below 0: behind
+    const real widest = at.z * real(sign * kWideFaceLimit); // at most 0: the point is not in front
     return all_of(widest > real(0.0f), is_within(at.x, widest), is_within(at.y, widest));
 }
 
-/// Those whose major axis is the face's. Every usable point but 0 has one face.
+/// The lanes whose points have the face's axis and sign as their largest coordinate. Every usable
+/// point except the origin lies on exactly one of the six faces.
 template <int kAxis>
 HWY_INLINE truth on_face(const real3& p, float sign)
 {
     const real x(hn::Abs(p.x.lanes)), y(hn::Abs(p.y.lanes)), z(hn::Abs(p.z.lanes));
     const truth ahead = face_axes<kAxis>(p).z * real(sign) > real(0.0f);
-    // Where two are equally large the first is major.
+    // If two coordinates are equally large, the first one decides.
     if constexpr (kAxis == 0) return all_of(ahead, x >= y, x >= z);
     if constexpr (kAxis == 1) return all_of(ahead, x < y, y >= z);
     return all_of(ahead, x < z, y < z);
 }
 
-/// Appends samples of a face, and bounds them.
+/// Appends samples of one face to an array and computes their bounds.
 class SampleWriter {
   public:
-    /// next  the number of the next one; a register's samples from there on may be written over
+    /// next  the index of the first sample to write. A whole register of samples is written at a
+    ///       time: the array must have room for that after the last sample, and entries past next()
+    ///       are garbage
     HWY_INLINE SampleWriter(IrregularSample* samples, std::size_t next)
         : samples_(samples),
           next_(next),
@@ -86,7 +92,8 @@ class SampleWriter {
     {
     }
 
-    /// The chosen lanes.
+    /// Projects the chosen lanes and appends them. Where w = 1 / c is not below kGreatestW, the sample
+    /// has w = NaN (see IrregularSample) and counts as infinitely far in the bounds.
     template <int kAxis>
     HWY_INLINE void add(
         const real3& p, float sign, hn::Vec<hn::RebindToUnsigned<RealTag>> id, truth chosen)
@@ -121,6 +128,7 @@ class SampleWriter {
         next_ += count;
     }
 
+    /// The index after the last sample.
     std::size_t next() const { return next_; }
 
     HWY_INLINE SampleBounds bounds() const

@@ -1,4 +1,4 @@
-// gather_corners.h - the corners of a batch of triangles as a light's face sees them.
+// gather_corners.h - loads the corners of a batch of triangles, in the axes of a face.
 #pragma once
 
 #include "irregular/mesh/pencil_mesh.h"
@@ -8,14 +8,14 @@
 
 namespace firsthit {
 
-/// corner[3 k + axis][i] = coordinate `axis` of corner k of triangle[i]. One load at a time: where
-/// registers can gather, it takes them longer (measured on Zen 5).
-template <std::size_t kRoom>
+/// corner[3 k + axis][i] = coordinate `axis` (0 to 2: a, b, c of CubeFace) of corner k of triangle[i].
+/// The loads are scalar, because gather instructions were slower (measured on Zen 5).
+template <std::size_t kCapacity>
 inline void gather_corners(const PencilMesh& mesh, const CubeFace& face, int count,
-    const std::uint32_t* triangle, float (&corner)[9][kRoom])
+    const std::uint32_t* triangle, float (&corner)[9][kCapacity])
 {
     const glm::vec3* position = mesh.corner.data();
-    constexpr int kAhead = 12; // triangles: their memory is asked for while others are copied
+    constexpr int kAhead = 12; // triangles: how far ahead of the copy corners are prefetched
     for (int i = 0; i < count; ++i) __builtin_prefetch(&mesh.index[triangle[i]]);
     for (int i = -kAhead; i < count; ++i) {
         if (i + kAhead < count) {

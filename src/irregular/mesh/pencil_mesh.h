@@ -1,4 +1,8 @@
-// pencil_mesh.h - the scene's triangles as a light sees them.
+// pencil_mesh.h - the scene's triangles in the space of a pencil of rays, and projected to its faces.
+//
+// First make_pencil_mesh moves all vertices into the pencil's space. Then, face by face, either
+// find_triangles_in_view projects vertices and keeps the triangles that matter, or
+// quantize_all_vertices makes the coordinates that the sample grid (grid/sample_grid.h) works with.
 #pragma once
 
 #include "base/buffer.h"
@@ -17,16 +21,17 @@
 
 namespace firsthit {
 
-/// A triangle that may shadow a sample: the box in which the face sees it, and its nearest corner's
-/// w (infinite where it reaches behind the light). 24 bytes.
+/// A triangle projected to a face: its box, and the w of its nearest corner. A triangle that reaches
+/// behind the plane c = 0 has an infinite nearest_w, and the box of the part in front. 24 bytes.
 struct ProjectedTriangle {
-    std::uint32_t triangle;
+    std::uint32_t triangle; // index into PencilMesh::index
     float x0, y0, x1, y1;
     float nearest_w;
 };
 
-/// Whether the triangle may shadow a sample inside the bounds.
-inline bool may_shadow(const ProjectedTriangle& box, const SampleBounds& bounds)
+/// Whether a ray to a sample inside the bounds may hit the triangle before it reaches the sample. Never
+/// false where one does.
+inline bool may_hit(const ProjectedTriangle& box, const SampleBounds& bounds)
 {
     return box.x0 <= bounds.x1 && box.x1 >= bounds.x0 && box.y0 <= bounds.y1 &&
            box.y1 >= bounds.y0 && !(box.nearest_w < bounds.farthest_w);
@@ -44,22 +49,27 @@ struct VertexBox {
     }
 };
 
-/// Kept from frame to frame.
+/// V vertices and T triangles. The memory is kept from frame to frame.
 struct PencilMesh {
     PencilSpace space;
-    /// The face of a point light that sees all that lies in front of it within kWidestFace, where
-    /// that is all vertices: six would each go through all triangles. -1: there is none.
+    /// The number of a face to which all vertices project with |x| and |y| below kWideFaceLimit; -1 if
+    /// there is none. It takes the samples that up to six faces would share otherwise: each face costs
+    /// a pass over all triangles.
     int wide_face = -1;
-    std::span<const glm::uvec3> index;
-    Buffer<glm::vec3> corner; // (V) in the light's space, exact from here on
-    CubeFace face;
-    Buffer<ProjectedPoint> seen;  // (V) by the face; x is no number: behind it, or unusable
-    Buffer<QuantizedPoint> place; // (V) on the grid of samples, where one is used
-    // (T) room; each range of triangles fills the start of its part
-    Buffer<ProjectedTriangle, Pages::small> in_view;
-    Buffer<std::uint32_t> range_count; // (ranges) triangles in view of each range
-    Buffer<VertexBox> range_box;       // (ranges) of vertices
+    std::span<const glm::uvec3> index; // (T)
+    Buffer<glm::vec3> corner;          // (V) in the pencil's space; these floats are taken as exact
 
+    // Of one face, which these functions set.
+    CubeFace face;
+    Buffer<ProjectedPoint> projected; // (V) x is NaN: the vertex is behind the face or unusable
+    Buffer<QuantizedPoint> quantized; // (V) only for a face whose samples are in a SampleGrid
+    /// (T) triangles that may be hit; those of range r are the first range_count[r] elements from
+    /// index r * kMeshRange on, and the elements after them are garbage.
+    Buffer<ProjectedTriangle, Pages::small> in_view;
+    Buffer<std::uint32_t> range_count; // (ranges of triangles)
+    Buffer<VertexBox> range_box;       // (ranges of vertices)
+
+    /// The corners of a triangle in the pencil's space.
     Corners corners(std::uint32_t triangle) const
     {
         const glm::uvec3& c = index[triangle];
@@ -67,39 +77,41 @@ struct PencilMesh {
     }
 };
 
-/// Triangles or vertices of one range.
-inline constexpr std::size_t kLightRange = 8192;
+/// Triangles and vertices are worked on in ranges of this many consecutive ones, a task each.
+inline constexpr std::size_t kMeshRange = 8192;
 
-/// Some vertices as a face sees them: x is no number for those that are behind it or unusable.
+/// Projects `count` vertices to the face. x is NaN for those that are behind it or unusable.
 void project_vertices_to_face(
-    const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* seen);
+    const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* projected);
 
-/// Moves some vertices into the light's space, as to_light, and says where they lie there; parallel
-/// light is not told that.
-VertexBox move_vertices(
+/// Moves `count` vertices into the pencil's space with the roundings of to_light, and returns their
+/// box. For a parallel pencil the returned box is empty.
+VertexBox move_to_pencil_space(
     const PencilSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner);
 
-/// The face of a point light that sees all of the box within kWidestFace, that where it is nearest to
-/// the middle; -1 where there is none.
+/// The number of the face to which all of the box projects with |x| and |y| below kWideFaceLimit: the
+/// face with the smallest largest |x| or |y|. -1 if there is none.
 int find_wide_face(const VertexBox& box);
 
-/// Moves all vertices into the light's space, and looks for a wide face.
-void see_from_light(const PencilSpace& space, std::span<const glm::vec3> position,
+/// Moves all vertices into the pencil's space and finds the wide face. The span `index` must outlive the
+/// mesh's use.
+void make_pencil_mesh(const PencilSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, PencilMesh& mesh, Tasks& tasks);
 
-/// All vertices of the mesh as the face sees them.
-void project_all_vertices_to_face(const CubeFace& face, PencilMesh& mesh, Tasks& tasks);
+/// Fills in mesh.face and mesh.projected.
+void project_all_vertices(const CubeFace& face, PencilMesh& mesh, Tasks& tasks);
 
-/// Only their places on a grid of the face's samples.
-void place_all_vertices(const CubeFace& face, const GridAxes& axes, PencilMesh& mesh, Tasks& tasks);
+/// Fills in mesh.face and mesh.quantized; mesh.projected is left as it is.
+void quantize_all_vertices(
+    const CubeFace& face, const GridAxes& axes, PencilMesh& mesh, Tasks& tasks);
 
-/// The box of a triangle with a corner behind the face, or with one that makes it invisible: then
-/// false.
-bool project_carefully(const CubeFace& face, const Corners& corners, ProjectedTriangle& box);
+/// The box of a triangle of which a corner is behind the face (c <= 0) or unusable. Returns false, and
+/// leaves the box as it is, if no ray of the face hits the triangle.
+bool project_clipped(const CubeFace& face, const Corners& corners, ProjectedTriangle& box);
 
-/// Finds the triangles that may shadow samples inside the bounds, which this face sees. No triangle
-/// is left out that does.
-void project_through_face(
+/// Projects all vertices to the face and fills in mesh.in_view and mesh.range_count with the triangles
+/// that rays to samples inside the bounds may hit (may_hit). No triangle that is hit is left out.
+void find_triangles_in_view(
     const CubeFace& face, const SampleBounds& bounds, PencilMesh& mesh, Tasks& tasks);
 
 } // namespace firsthit

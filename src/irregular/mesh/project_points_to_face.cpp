@@ -1,4 +1,4 @@
-// project_points_to_face.cpp - points in a light's space to the faces that see them.
+// project_points_to_face.cpp - sorts points of a pencil's space by face and projects them to samples.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/mesh/project_points_to_face.cpp"
 #include "base/simd.h"
@@ -11,13 +11,13 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// One register of points.
+/// One register of points; lanes that are past the end or unusable are not valid.
 struct Points {
     real3 p;
     truth valid;
 };
 
-HWY_INLINE Points load_points(const LightChunk& chunk, std::size_t k)
+HWY_INLINE Points load_points(const PointChunk& chunk, std::size_t k)
 {
     const real3 p(load(chunk.x.data() + k), load(chunk.y.data() + k), load(chunk.z.data() + k));
     return {p, {hn::And(is_usable(p).lanes, hn::FirstN(RealTag(), chunk.count - k))}};
@@ -28,7 +28,7 @@ HWY_INLINE truth without(truth all, truth some)
     return {hn::AndNot(some.lanes, all.lanes)};
 }
 
-/// The valid lanes whose major axis is the face's.
+/// The valid lanes whose points lie on the face (see on_face in face_samples-inl.h).
 template <int kAxis>
 HWY_INLINE truth on_major_face(const Points& points, float sign)
 {
@@ -52,11 +52,11 @@ HWY_INLINE truth on_wide_face(const Points& points, int face)
     return {hn::And(on.lanes, points.valid.lanes)};
 }
 
-/// Appends the samples that lie on the face. A directional light has only one.
+/// Writes the points for which chosen_of(points) is true as samples of the face, from index `first` on.
 template <int kAxis, class Chosen>
-HWY_INLINE void project_to_face(const CubeFace& face, const LightChunk& chunk,
+HWY_INLINE void project_to_face(const CubeFace& face, const PointChunk& chunk,
     const Chosen& chosen_of, std::size_t first, std::span<IrregularSample> samples,
-    SamplePatch& part)
+    SamplePatch& patch)
 {
     SampleWriter writer(samples.data(), first);
     for (std::size_t k = 0; k < chunk.count; k += kLanes) {
@@ -66,54 +66,55 @@ HWY_INLINE void project_to_face(const CubeFace& face, const LightChunk& chunk,
         const auto id = hn::Load(hn::RebindToUnsigned<RealTag>(), chunk.id.data() + k);
         writer.add<kAxis>(points.p, face.sign, id, chosen);
     }
-    part = {{first, writer.next() - first}, writer.bounds()};
+    patch = {{first, writer.next() - first}, writer.bounds()};
 }
 
-/// The faces that see a point of the chunk that the wide one does not, a bit each.
-unsigned faces_of(const LightChunk& chunk, int wide)
+/// The faces on which a point of the chunk lies that is not on the wide face (wide < 0: there is none).
+/// Bit k stands for face k.
+unsigned faces_of(const PointChunk& chunk, int wide)
 {
     const RealTag d;
     unsigned faces = 0;
     for (std::size_t k = 0; k < chunk.count; k += kLanes) {
         Points points = load_points(chunk, k);
         if (wide >= 0) points.valid = without(points.valid, on_wide_face(points, wide));
-        for (int face = 0; face < kLightFaces; ++face)
+        for (int face = 0; face < kCubeFaces; ++face)
             if (faces >> face & 1) points.valid = without(points.valid, on_face(points, face));
-        if (hn::AllFalse(d, points.valid.lanes)) continue; // all on faces that are known, as mostly
-        for (int face = 0; face < kLightFaces; ++face)
+        if (hn::AllFalse(d, points.valid.lanes)) continue; // the most frequent case
+        for (int face = 0; face < kCubeFaces; ++face)
             if (!hn::AllFalse(d, on_face(points, face).lanes)) faces |= 1u << face;
     }
     return faces;
 }
 
-void see(const PencilMesh& mesh, const LightChunk& chunk, std::size_t first,
-    std::span<IrregularSample> samples, FaceParts& parts)
+void project_points(const PencilMesh& mesh, const PointChunk& chunk, std::size_t first,
+    std::span<IrregularSample> samples, FacePatches& patches)
 {
-    parts = {};
+    patches = {};
     if (mesh.space.directional) {
         project_to_face<kParallel>(
             cube_face(true, 0), chunk, [](const Points& points) { return points.valid; }, first,
-            samples, parts[0]);
+            samples, patches[0]);
         return;
     }
     const int wide = mesh.wide_face;
     const unsigned faces = faces_of(chunk, wide);
-    for (int number = 0; number < kLightFaces; ++number) {
+    for (int number = 0; number < kCubeFaces; ++number) {
         if (number != wide && !(faces >> number & 1)) continue;
         const auto chosen = [&](const Points& points) {
             if (number == wide) return on_wide_face(points, number);
             const truth on = on_face(points, number);
             return wide >= 0 ? without(on, on_wide_face(points, wide)) : on;
         };
-        SamplePatch& part = parts[std::size_t(number)];
+        SamplePatch& patch = patches[std::size_t(number)];
         const CubeFace face = cube_face(false, number);
         if (face.axis_c == 0)
-            project_to_face<0>(face, chunk, chosen, first, samples, part);
+            project_to_face<0>(face, chunk, chosen, first, samples, patch);
         else if (face.axis_c == 1)
-            project_to_face<1>(face, chunk, chosen, first, samples, part);
+            project_to_face<1>(face, chunk, chosen, first, samples, patch);
         else
-            project_to_face<2>(face, chunk, chosen, first, samples, part);
-        first += part.range.count;
+            project_to_face<2>(face, chunk, chosen, first, samples, patch);
+        first += patch.range.count;
     }
 }
 
@@ -125,12 +126,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firsthit {
 
-HWY_EXPORT(see);
+HWY_EXPORT(project_points);
 
-void project_points_to_face(const PencilMesh& mesh, const LightChunk& chunk, std::size_t first,
-    std::span<IrregularSample> samples, FaceParts& parts)
+void project_points_to_face(const PencilMesh& mesh, const PointChunk& chunk, std::size_t first,
+    std::span<IrregularSample> samples, FacePatches& patches)
 {
-    HWY_DYNAMIC_DISPATCH(see)(mesh, chunk, first, samples, parts);
+    HWY_DYNAMIC_DISPATCH(project_points)(mesh, chunk, first, samples, patches);
 }
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// project_points_to_face.h - points in a light's space to the faces that see them.
+// project_points_to_face.h - sorts points of a pencil's space by face and projects them to samples.
 #pragma once
 
 #include "exact/shadow_ray.h"
@@ -11,13 +11,13 @@
 
 namespace firsthit {
 
-/// Some points in the light's space, structure of arrays; a worker's memory.
-struct LightChunk {
+/// Points of the pencil's space, structure of arrays. One worker's memory.
+struct PointChunk {
     Buffer<float> x, y, z;
     Buffer<std::uint32_t> id; // see IrregularSample
     std::size_t count = 0;
 
-    /// Room for `points` and a register more.
+    /// Allocates room for `points` points and a whole register after the last one.
     void reserve(std::size_t points)
     {
         for (auto* values : {&x, &y, &z}) values->resize(points + 16);
@@ -25,18 +25,22 @@ struct LightChunk {
     }
 };
 
-/// Where the samples of each face went.
-using FaceParts = std::array<SamplePatch, kLightFaces>;
+/// The samples of one chunk on each face; empty where it has none.
+using FacePatches = std::array<SamplePatch, kCubeFaces>;
 
-/// Samples that a chunk of `points` may overwrite: place chunks this far apart.
+/// How many samples a chunk of `points` points may write: up to a register more than it has. Chunks
+/// that are written at the same time start this far apart.
 inline std::size_t chunk_room(std::size_t points)
 {
     return points + 16;
 }
 
-/// Writes the chunk's points as samples from number `first` on, face by face: to the mesh's wide face
-/// what that sees. Points without a shadow ray (has_shadow_ray) are left out.
-void project_points_to_face(const PencilMesh& mesh, const LightChunk& chunk, std::size_t first,
-    std::span<IrregularSample> samples, FaceParts& parts);
+/// Writes the chunk's points as samples, face by face, from index `first` on. Points that project to
+/// the mesh's wide face are samples of that face, the others of the face of their largest
+/// coordinate. Points without a ray (has_shadow_ray) are left out.
+///
+/// patches  out: range and bounds of the samples of each face
+void project_points_to_face(const PencilMesh& mesh, const PointChunk& chunk, std::size_t first,
+    std::span<IrregularSample> samples, FacePatches& patches);
 
 } // namespace firsthit

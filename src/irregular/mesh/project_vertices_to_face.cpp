@@ -1,4 +1,4 @@
-// project_vertices_to_face.cpp - vertices to a light's face, a register at a time.
+// project_vertices_to_face.cpp - moves vertices into a pencil's space, and projects them to a face.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/mesh/project_vertices_to_face.cpp"
 #include "base/simd.h"
@@ -16,29 +16,29 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using Reals = hn::CappedTag<float, 16>;
 
-void project_triangles_to_face(const CubeFace& face, const float* corner, float* seen)
+void project_register(const CubeFace& face, const float* corner, float* projected)
 {
     const Reals d;
     auto px = hn::Zero(d), py = px, pz = px;
     hn::LoadInterleaved3(d, corner, px, py, pz);
     const ProjectedLanes<Reals> v = project_lanes_to_face(d, face, px, py, pz);
-    hn::StoreInterleaved3(hn::IfThenElse(v.sound, v.x, hn::NaN(d)), v.y, v.w, d, seen);
+    hn::StoreInterleaved3(hn::IfThenElse(v.valid, v.x, hn::NaN(d)), v.y, v.w, d, projected);
 }
 
-void see(const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* seen)
+void project(
+    const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* projected)
 {
     const std::size_t lanes = hn::Lanes(Reals());
     std::size_t v = 0;
-    for (; v + lanes <= count; v += lanes)
-        project_triangles_to_face(face, &corner[v].x, &seen[v].x);
+    for (; v + lanes <= count; v += lanes) project_register(face, &corner[v].x, &projected[v].x);
     if (v == count) return;
     float from[3 * 16] = {}, to[3 * 16];
     std::copy_n(&corner[v].x, 3 * (count - v), from);
-    project_triangles_to_face(face, from, to);
-    std::copy_n(to, 3 * (count - v), &seen[v].x);
+    project_register(face, from, to);
+    std::copy_n(to, 3 * (count - v), &projected[v].x);
 }
 
-VertexBox move(
+VertexBox subtract_origin(
     const glm::vec3& origin, const glm::vec3* position, std::size_t count, glm::vec3* corner)
 {
     const Reals d;
@@ -76,22 +76,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firsthit {
 
-HWY_EXPORT(see);
-HWY_EXPORT(move);
+HWY_EXPORT(project);
+HWY_EXPORT(subtract_origin);
 
-VertexBox move_vertices(
+VertexBox move_to_pencil_space(
     const PencilSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner)
 {
     if (!space.directional)
-        return HWY_DYNAMIC_DISPATCH(move)(space.origin, position, count, corner);
+        return HWY_DYNAMIC_DISPATCH(subtract_origin)(space.origin, position, count, corner);
     for (std::size_t v = 0; v < count; ++v) corner[v] = to_light(space, position[v]);
     return {};
 }
 
 void project_vertices_to_face(
-    const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* seen)
+    const CubeFace& face, const glm::vec3* corner, std::size_t count, ProjectedPoint* projected)
 {
-    HWY_DYNAMIC_DISPATCH(see)(face, corner, count, seen);
+    HWY_DYNAMIC_DISPATCH(project)(face, corner, count, projected);
 }
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// projected_triangles-inl.h - a register of triangles as a light's face sees them.
+// projected_triangles-inl.h - loads and tests one register of projected triangles.
 #if defined(FIRSTHIT_IRREGULAR_MESH_PROJECTED_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_MESH_PROJECTED_TRIANGLES_INL_H_
 #undef FIRSTHIT_IRREGULAR_MESH_PROJECTED_TRIANGLES_INL_H_
@@ -23,14 +23,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using ProjectedTag = hn::CappedTag<float, 16>;
 
-/// Boxes and depths, a triangle a lane.
+/// Boxes and depths of ProjectedTriangle, one triangle a lane.
 struct ProjectedTriangles {
     hn::Vec<ProjectedTag> x0, y0, x1, y1, nearest_w;
 };
 
-/// Of as many triangles as a register has lanes. Read in order and sorted by shuffles: a gather for
-/// each field takes several times as long (measured on Zen 5).
-HWY_INLINE ProjectedTriangles load_seen(const ProjectedTriangle* from)
+/// Loads as many triangles as a register has lanes. The memory is read in order and then shuffled: a
+/// gather instruction for each field takes several times as long (measured on Zen 5).
+HWY_INLINE ProjectedTriangles load_projected(const ProjectedTriangle* from)
 {
     const ProjectedTag d;
     static_assert(sizeof(ProjectedTriangle) == 6 * sizeof(float));
@@ -54,20 +54,20 @@ HWY_INLINE ProjectedTriangles load_seen(const ProjectedTriangle* from)
 #endif
 }
 
-/// The same for the triangles from number k on; the last one stands in for those after it.
-HWY_INLINE ProjectedTriangles load_seen(std::span<const ProjectedTriangle> triangles, std::size_t k)
+/// Loads the triangles from index k on. Lanes past the end repeat the last triangle.
+HWY_INLINE ProjectedTriangles load_projected(
+    std::span<const ProjectedTriangle> triangles, std::size_t k)
 {
     const std::size_t lanes = hn::Lanes(ProjectedTag());
-    if (k + lanes <= triangles.size()) return load_seen(&triangles[k]);
+    if (k + lanes <= triangles.size()) return load_projected(&triangles[k]);
     ProjectedTriangle spare[16];
     for (std::size_t i = 0; i < lanes; ++i)
         spare[i] = triangles[std::min(k + i, triangles.size() - 1)];
-    return load_seen(spare);
+    return load_projected(spare);
 }
 
-/// may_shadow, lane by lane.
-HWY_INLINE hn::Mask<ProjectedTag> may_shadow(
-    const ProjectedTriangles& box, const SampleBounds& bounds)
+/// may_hit, lane by lane.
+HWY_INLINE hn::Mask<ProjectedTag> may_hit(const ProjectedTriangles& box, const SampleBounds& bounds)
 {
     const ProjectedTag d;
     return hn::And(

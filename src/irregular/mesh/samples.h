@@ -1,4 +1,4 @@
-// samples.h - points seen from a light: the samples of the irregular z-buffer.
+// samples.h - the samples of the irregular z-buffer: points projected to a face of a pencil.
 #pragma once
 
 #include "base/buffer.h"
@@ -9,21 +9,21 @@
 
 namespace firsthit {
 
-/// See CubeFace for x, y and w. A w that is no number stands for a depth whose inverse is not
-/// finite: such samples are always decided exactly.
+/// One projected point; see CubeFace for x, y and w. w is NaN where 1 / c is not finite: such samples
+/// are always decided by the exact test, with the point that PencilPoints has for the id.
 struct IrregularSample {
     float x, y, w;
     std::uint32_t id; // the caller's number of the point
 };
 static_assert(sizeof(IrregularSample) == 16);
 
-/// Consecutive samples.
+/// Consecutive elements of an array.
 struct SampleRange {
     std::size_t first = 0;
     std::size_t count = 0;
 };
 
-/// What holds all of some samples. Depths that are no number count as infinitely far.
+/// The bounds of some samples; by default of none. A w of NaN counts as infinitely far (-infinity).
 struct SampleBounds {
     float x0 = std::numeric_limits<float>::infinity();
     float y0 = std::numeric_limits<float>::infinity();

@@ -89,7 +89,7 @@ HWY_INLINE Ids ids_from(std::uint32_t first)
 
 /// Appends the chosen lanes: whole registers, of which the next ones write over what is too much.
 /// Some processors are very slow to compress straight to memory.
-HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, LightChunk& chunk)
+HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, PointChunk& chunk)
 {
     const RealTag d;
     const hn::RebindToUnsigned<RealTag> du;
@@ -134,7 +134,7 @@ HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> rea
     }
 }
 
-void collect_chunk(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk)
+void collect_chunk(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk)
 {
     chunk.count = 0;
     for_points(work, reached,
@@ -160,7 +160,7 @@ int likely_face(const CollectWork& work)
 
 template <int kAxis>
 SamplePatch collect_face(const CollectWork& work, float sign, std::size_t first,
-    std::span<IrregularSample> samples, std::span<std::uint64_t> reached, LightChunk& others)
+    std::span<IrregularSample> samples, std::span<std::uint64_t> reached, PointChunk& others)
 {
     const RealTag d;
     const bool wide = work.mesh.wide_face >= 0;
@@ -181,7 +181,7 @@ SamplePatch collect_face(const CollectWork& work, float sign, std::size_t first,
 }
 
 void collect(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FaceParts& parts, LightChunk& others)
+    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& others)
 {
     parts = {};
     if (work.runs.empty()) {
@@ -241,12 +241,12 @@ HWY_EXPORT(remove);
 HWY_EXPORT(unpack);
 
 void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FaceParts& parts, LightChunk& spare)
+    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& spare)
 {
     HWY_DYNAMIC_DISPATCH(collect)(work, first, samples, reached, parts, spare);
 }
 
-void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk)
+void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk)
 {
     HWY_DYNAMIC_DISPATCH(collect_chunk)(work, reached, chunk);
 }

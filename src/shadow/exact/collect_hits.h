@@ -25,10 +25,10 @@ struct CollectWork {
 /// reached  (blocks) a bit for each sample of a run that is inside the cone
 /// spare    room for the points of the tile
 void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FaceParts& parts, LightChunk& spare);
+    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& spare);
 
 /// The same as points.
-void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, LightChunk& chunk);
+void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk);
 
 /// Clears the bits of the samples that are shadowed.
 /// shadowed  (64 * words) 0 or 1

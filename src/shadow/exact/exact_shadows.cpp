@@ -15,7 +15,7 @@ namespace firsthit {
 namespace {
 
 /// The points behind the ids: number of a sample in all tiles.
-class HitPoints : public LightPoints {
+class HitPoints : public PencilPoints {
   public:
     HitPoints(std::span<const HitTile> tiles, const PencilMesh& mesh) : tiles_(tiles), mesh_(mesh)
     {
@@ -23,7 +23,7 @@ class HitPoints : public LightPoints {
         ids_rise = true;
     }
 
-    glm::vec3 in_light_space(std::uint32_t id) const override
+    glm::vec3 in_pencil_space(std::uint32_t id) const override
     {
         const std::uint32_t size = std::uint32_t(tiles_[0].size), samples = size * size;
         const HitTile& tile = tiles_[id / samples];
@@ -83,10 +83,10 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
 ShadowEffort take_effort(ShadowMemory& memory)
 {
     for (const auto& worker : memory.irregular.workers) {
-        memory.effort.counts.add(worker->leaf.counts);
-        worker->leaf.counts = {};
+        memory.effort.counts.add(worker->kernel.counts);
+        worker->kernel.counts = {};
     }
-    for (GridShadowCounts& worker : memory.grid_counts) {
+    for (GridTestCounts& worker : memory.grid_counts) {
         memory.effort.counts.add(worker.counts);
         worker.counts = {};
     }
@@ -96,29 +96,31 @@ ShadowEffort take_effort(ShadowMemory& memory)
 /// Tests the samples of one face by the grid. Returns the number of triangles that are left, or
 /// nothing where samples crowd together more than the grid can tell apart: nothing is done then.
 std::optional<std::size_t> test_face_by_grid(const CubeFace& face, const SampleBounds& bounds,
-    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+    const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed)
 {
     Stopwatch watch;
     const bool sorted = sort_into_grid(memory.samples.span(), memory.patches.span(), bounds,
-        {face.directional, goes_along_y(memory.mesh, face, bounds)}, points, memory.grid, tasks);
+        {face.directional, prefers_strips_along_y(memory.mesh, face, bounds)}, points, memory.grid,
+        tasks);
     memory.effort.sort_ms += watch.lap_ms();
     if (!sorted || (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded)) return {};
-    place_all_vertices(face, memory.grid.axes, memory.mesh, tasks);
+    quantize_all_vertices(face, memory.grid.axes, memory.mesh, tasks);
     memory.effort.see_ms += watch.lap_ms();
     const std::size_t left =
         test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
     memory.effort.test_ms += watch.lap_ms();
-    if (left > 0) project_all_vertices_to_face(face, memory.mesh, tasks); // for those
+    if (left > 0) project_all_vertices(face, memory.mesh, tasks); // for those
     memory.effort.see_ms += watch.lap_ms();
     return left;
 }
 
-void test_chunks(
-    const LightPoints& points, ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed)
 {
     const std::size_t chunks = memory.patches.size();
     ShadowEffort& effort = memory.effort;
-    for (std::size_t face = 0; face < kLightFaces; ++face) {
+    for (std::size_t face = 0; face < kCubeFaces; ++face) {
         SampleBounds bounds;
         std::size_t count = 0;
         for (std::size_t k = 0; k < chunks; ++k) {
@@ -135,7 +137,7 @@ void test_chunks(
             left = test_face_by_grid(seen_by, bounds, points, memory, tasks, shadowed);
         if (left == std::size_t(0)) continue;
         Stopwatch watch;
-        if (!left) project_through_face(seen_by, bounds, memory.mesh, tasks);
+        if (!left) find_triangles_in_view(seen_by, bounds, memory.mesh, tasks);
         effort.see_ms += watch.lap_ms();
         sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
             memory.irregular, tasks);
@@ -166,7 +168,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             continue;
         }
         memory.effort.collect_ms += watch.lap_ms();
-        see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+        make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
         memory.effort.see_ms += watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
             std::uint64_t* words = &lit.words[lit.place(l, tile)];
@@ -176,7 +178,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
                 return;
             }
             TileReceivers& receivers = memory.workers[worker]->receivers;
-            LightChunk& chunk = memory.workers[worker]->chunk;
+            PointChunk& chunk = memory.workers[worker]->chunk;
             find_receivers(memory.mesh, tiles[tile], receivers);
             collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
                              std::uint32_t(tile * samples)},

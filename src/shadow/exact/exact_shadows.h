@@ -27,13 +27,13 @@ struct ShadowEffort {
     double sort_ms = 0;       // into the cells
     double test_ms = 0;       // triangles over points
     std::uint64_t points = 0; // that a light might reach
-    ShadowCounts counts;
+    TestCounts counts;
 };
 
 /// What one worker collects.
 struct ShadowWorker {
     TileReceivers receivers;
-    LightChunk chunk;
+    PointChunk chunk;
 };
 
 /// Which way triangles meet the samples of a face.
@@ -49,9 +49,9 @@ struct ShadowMemory {
     PencilMesh mesh;
     IrregularMemory irregular;
     SampleGrid grid;
-    std::vector<GridShadowCounts> grid_counts;     // (threads)
+    std::vector<GridTestCounts> grid_counts;       // (threads)
     Buffer<IrregularSample, Pages::small> samples; // (chunks, chunk_room)
-    std::vector<FaceParts> parts;                  // (chunks)
+    std::vector<FacePatches> parts;                // (chunks)
     Buffer<SamplePatch> patches;                   // (chunks) of one face
     Buffer<std::uint8_t> shadowed;                 // (points) of one light
     std::vector<std::unique_ptr<ShadowWorker>> workers;
@@ -67,7 +67,7 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
 /// Tests the samples of all chunks: shadowed[id] = 1 for those that a triangle shadows. A chunk is
 /// the points that were collected together: those of a tile, or some that are no pixels. memory.mesh,
 /// samples and parts are filled in.
-void test_chunks(const LightPoints& points, ShadowMemory& memory, Tasks& tasks,
+void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     std::span<std::uint8_t> shadowed);
 
 /// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of

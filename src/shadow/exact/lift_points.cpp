@@ -41,7 +41,7 @@ glm::vec3 lift_point(const PencilMesh& mesh, std::uint32_t item, const glm::vec3
 }
 
 void lift_points(
-    const PencilMesh& mesh, const std::uint32_t* items, std::uint32_t first_id, LightChunk& chunk)
+    const PencilMesh& mesh, const std::uint32_t* items, std::uint32_t first_id, PointChunk& chunk)
 {
     Receivers receivers(mesh);
     for (std::size_t k = 0; k < chunk.count; ++k) {

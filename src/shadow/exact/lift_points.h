@@ -14,6 +14,6 @@ glm::vec3 lift_point(const PencilMesh& mesh, std::uint32_t item, const glm::vec3
 /// The same for all points of a chunk, in place.
 /// items  of the points: items[id - first_id]
 void lift_points(
-    const PencilMesh& mesh, const std::uint32_t* items, std::uint32_t first_id, LightChunk& chunk);
+    const PencilMesh& mesh, const std::uint32_t* items, std::uint32_t first_id, PointChunk& chunk);
 
 } // namespace firsthit

@@ -14,7 +14,7 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-void move(const PointSet& set, const PencilSpace& space, std::size_t first, LightChunk& chunk)
+void move(const PointSet& set, const PencilSpace& space, std::size_t first, PointChunk& chunk)
 {
     const hn::RebindToUnsigned<RealTag> du;
     for (std::size_t k = 0; k < chunk.count; k += std::size_t(kLanes)) {
@@ -128,7 +128,7 @@ void make_point_set(std::span<const glm::vec3> points, std::span<const std::uint
 }
 
 void move_points(
-    const PointSet& set, const PencilSpace& space, std::size_t first, LightChunk& chunk)
+    const PointSet& set, const PencilSpace& space, std::size_t first, PointChunk& chunk)
 {
     HWY_DYNAMIC_DISPATCH(move)(set, space, first, chunk);
 }

@@ -33,6 +33,6 @@ void make_point_set(std::span<const glm::vec3> points, std::span<const std::uint
 
 /// Points [first, first + chunk.count) as the light sees them; ids are the numbers of the given.
 void move_points(
-    const PointSet& set, const PencilSpace& space, std::size_t first, LightChunk& chunk);
+    const PointSet& set, const PencilSpace& space, std::size_t first, PointChunk& chunk);
 
 } // namespace firsthit

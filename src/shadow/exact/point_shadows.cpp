@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t kChunk = 1024; // points: small enough for many to lie behind one wall
 
-class GivenPoints : public LightPoints {
+class GivenPoints : public PencilPoints {
   public:
     GivenPoints(const PointSet& points, const PencilMesh& mesh) : points_(points), mesh_(mesh)
     {
         if (!points.receivers.empty()) item = points.receivers.data();
     }
 
-    glm::vec3 in_light_space(std::uint32_t id) const override
+    glm::vec3 in_pencil_space(std::uint32_t id) const override
     {
         return lift_point(
             mesh_, item ? item[id] : kNoItem, to_light(mesh_.space, points_.given[id]));
@@ -38,10 +38,10 @@ void test_points(const World& world, const PencilSpace& space, const PointSet& p
     const std::size_t chunks = (count + kChunk - 1) / kChunk;
     resize(memory, chunks, kChunk, tasks.threads());
     Stopwatch watch;
-    see_from_light(space, world.position, world.scene->index, memory.mesh, tasks);
+    make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
     memory.effort.see_ms += watch.lap_ms();
     tasks.for_each(chunks, [&](std::size_t number, std::size_t worker) {
-        LightChunk& chunk = memory.workers[worker]->chunk;
+        PointChunk& chunk = memory.workers[worker]->chunk;
         const std::size_t first = number * kChunk;
         chunk.count = std::min(kChunk, count - first);
         std::fill_n(shadowed.data() + first, chunk.count, std::uint8_t(0));

@@ -1,7 +1,7 @@
 // tile_occlusion.cpp - tiles that a wall hides from a light as a whole.
 #include "shadow/exact/tile_occlusion.h"
 
-#include "irregular/mesh/occluder_choice.h"
+#include "irregular/mesh/face_occluders.h"
 #include "irregular/cells/shadowed_box.h"
 
 #include <glm/common.hpp>
@@ -85,7 +85,7 @@ std::optional<SampleBounds> seen_by(
         bounds.add({low(a), low(b), high(a), high(b), float(1 / far), float(1 / near)});
     }
     const float widest = std::max({-bounds.x0, -bounds.y0, bounds.x1, bounds.y1});
-    if (!face.directional && !(widest <= kWidestFace)) return {};
+    if (!face.directional && !(widest <= kWideFaceLimit)) return {};
     return bounds;
 }
 
@@ -131,8 +131,8 @@ bool project_triangle_to_face(const CubeFace& face, const Corners& corners, Proj
     }
     SampleBounds bounds;
     for (const glm::vec3& corner : corners) {
-        const glm::vec3 p = face.seen_from(corner);
-        if (!(p.z > 0)) return project_carefully(face, corners, box);
+        const glm::vec3 p = face.to_face_axes(corner);
+        if (!(p.z > 0)) return project_clipped(face, corners, box);
         const float w = 1 / p.z, x = p.x * w, y = p.y * w;
         bounds.add({x, y, x, y, w, w});
     }
@@ -141,10 +141,10 @@ bool project_triangle_to_face(const CubeFace& face, const Corners& corners, Proj
 }
 
 /// The triangles that cover most of what a face sees.
-OccluderList occluders_of(const World& world, const PencilSpace& space, const CubeFace& face,
+FaceOccluders occluders_of(const World& world, const PencilSpace& space, const CubeFace& face,
     const SampleBounds& bounds, std::span<const std::uint32_t> occluders)
 {
-    OccluderChoice choice(bounds);
+    FaceOccluderChoice choice(bounds);
     for (const std::uint32_t wall : occluders) {
         ProjectedTriangle box{wall, 0, 0, 0, 0, 0};
         if (project_triangle_to_face(face, corners_in_light_space(world, space, wall), box))
@@ -158,7 +158,7 @@ struct Occluders {
     const World& world;
     const PencilSpace& space;
     CubeFace face;
-    OccluderList occluders;
+    FaceOccluders occluders;
 
     /// Whether one of the triangles certainly shadows all hits of the tile, or one and the next.
     bool hide(const SampleBounds& bounds, const HitTile& hits) const
@@ -185,7 +185,7 @@ struct Occluders {
     {
         if (second >= world.scene->index.size()) return false;
         const Corners others = corners_in_light_space(world, space, second);
-        return usable(others) && shadow_box(space, face, corners, others, bounds) &&
+        return usable(others) && pair_shadows_box(space, face, corners, others, bounds) &&
                nothing_is_on(first, second, hits);
     }
 
@@ -228,7 +228,7 @@ bool find_occluded_tiles(const World& world, const PencilSpace& space,
         return Occluders{world, space, cube_face(space.directional, face), {}};
     };
     std::array faces{on_face(0), on_face(1), on_face(2), on_face(3), on_face(4), on_face(5)};
-    for (int face = 0; face < kLightFaces; ++face) {
+    for (int face = 0; face < kCubeFaces; ++face) {
         SampleBounds bounds;
         for (const TileSight& sight : tile_occlusion.sights.span())
             if (sight.face == face) bounds.add(sight.bounds);

@@ -32,9 +32,9 @@ int face_of(const PencilMesh& mesh, const glm::vec3& d)
     if (!has_shadow_ray(mesh.space, d)) return -1;
     if (mesh.space.directional) return 0;
     if (mesh.wide_face >= 0) {
-        const glm::vec3 at = cube_face(false, mesh.wide_face).seen_from(d);
-        if (at.z > 0 && std::abs(at.x) <= kWidestFace * at.z &&
-            std::abs(at.y) <= kWidestFace * at.z)
+        const glm::vec3 at = cube_face(false, mesh.wide_face).to_face_axes(d);
+        if (at.z > 0 && std::abs(at.x) <= kWideFaceLimit * at.z &&
+            std::abs(at.y) <= kWideFaceLimit * at.z)
             return mesh.wide_face;
     }
     int axis = std::abs(d.y) > std::abs(d.x) ? 1 : 0;
@@ -58,7 +58,7 @@ FaceSamples one_by_one(const PencilMesh& mesh, const HitTile& hits)
             const glm::vec3 d = lift_point(mesh, run.item, to_light(mesh.space, p));
             const int number = face_of(mesh, d);
             if (number < 0) continue;
-            const glm::vec3 at = cube_face(mesh.space.directional, number).seen_from(d);
+            const glm::vec3 at = cube_face(mesh.space.directional, number).to_face_axes(d);
             samples[id] = mesh.space.directional
                               ? with_bits(number, at.x, at.y, -at.z)
                               : with_bits(number, at.x / at.z, at.y / at.z, 1 / at.z);
@@ -71,11 +71,11 @@ FaceSamples collected(const PencilMesh& mesh, const HitTile& hits)
 {
     const std::size_t points = std::size_t(hits.size * hits.size);
     TileReceivers receivers;
-    LightChunk spare;
+    PointChunk spare;
     spare.reserve(points);
     std::vector<IrregularSample> samples(chunk_room(points));
     std::vector<std::uint64_t> reached(hits.blocks());
-    FaceParts parts;
+    FacePatches parts;
     find_receivers(mesh, hits, receivers);
     collect_hits({hits, receivers.runs(), mesh}, 0, samples, reached, parts, spare);
     FaceSamples found;
@@ -105,8 +105,8 @@ TEST_P(CollectHits, WritesTheSamplesOfEachPointByItself)
     for (Light light : world.lights) {
         if (light.kind == Light::Kind::spot) light.kind = Light::Kind::point;
         PencilMesh mesh;
-        see_from_light(light_space(light, made.view.camera.eye), world.position, world.scene->index,
-            mesh, tasks);
+        make_pencil_mesh(light_space(light, made.view.camera.eye), world.position,
+            world.scene->index, mesh, tasks);
         for (const auto& tile : picture.tiles) {
             const FaceSamples expected = one_by_one(mesh, tile->hits);
             samples += expected.size();
@@ -142,7 +142,7 @@ TEST(CollectHits, TakesBlocksOfAnyNumberOfRuns)
         for (const glm::dvec3& from :
             {glm::dvec3(1, 2, 3), glm::dvec3(0.25, 0.125, 0.5), glm::dvec3(0.1, 0, 40)}) {
             PencilMesh mesh;
-            see_from_light(light_space(point_light(from), view.camera.eye), made.world.position,
+            make_pencil_mesh(light_space(point_light(from), view.camera.eye), made.world.position,
                 made.world.scene->index, mesh, tasks);
             const FaceSamples expected = one_by_one(mesh, picture.tiles[0]->hits);
             EXPECT_GT(expected.size(), 1000u);

@@ -1,5 +1,5 @@
 // occluders.cpp - large triangles that shadow whole patches and cells of samples.
-#include "irregular/cells/occluders.h"
+#include "irregular/cells/occluded_samples.h"
 
 #include "irregular/cells/shadowed_box.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 /// Whether one of the samples lies on the triangle.
 bool is_item(
-    std::uint32_t triangle, std::span<const IrregularSample> samples, const LightPoints& points)
+    std::uint32_t triangle, std::span<const IrregularSample> samples, const PencilPoints& points)
 {
     if (!points.item) return false;
     bool found = false;
@@ -25,33 +25,32 @@ bool is_item(
 
 } // namespace
 
-OccluderList find_occluders(const PencilMesh& mesh, std::span<const SampleRange> ranges,
-    const SampleBounds& bounds, Buffer<OccluderList>& of_range, Tasks& tasks)
+FaceOccluders find_face_occluders(const PencilMesh& mesh, std::span<const SampleRange> ranges,
+    const SampleBounds& bounds, Buffer<FaceOccluders>& of_range, Tasks& tasks)
 {
     of_range.resize(ranges.size());
     tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
-        OccluderChoice choice(bounds);
-        for (const ProjectedTriangle& seen :
+        FaceOccluderChoice choice(bounds);
+        for (const ProjectedTriangle& box :
             mesh.in_view.span().subspan(ranges[k].first, ranges[k].count))
-            choice.offer(seen);
+            choice.offer(box);
         of_range[k] = choice.occluders;
     });
-    OccluderChoice choice(bounds);
-    for (const OccluderList& some : of_range.span())
-        for (const ProjectedTriangle& seen : some.span()) choice.offer(seen);
+    FaceOccluderChoice choice(bounds);
+    for (const FaceOccluders& some : of_range.span())
+        for (const ProjectedTriangle& box : some.span()) choice.offer(box);
     return choice.occluders;
 }
 
-bool is_covered(const PencilMesh& mesh, const OccluderList& occluders, const SampleBounds& b,
-    std::span<const IrregularSample> samples, const LightPoints& points)
+bool is_occluded(const PencilMesh& mesh, const FaceOccluders& occluders, const SampleBounds& b,
+    std::span<const IrregularSample> samples, const PencilPoints& points)
 {
     for (int k = 0; k < occluders.count; ++k) {
-        const ProjectedTriangle& seen = occluders.triangle[std::size_t(k)];
-        const bool around =
-            seen.x0 <= b.x0 && seen.x1 >= b.x1 && seen.y0 <= b.y0 && seen.y1 >= b.y1;
-        if (around && seen.nearest_w > b.nearest_w &&
-            shadows_box(mesh.space, mesh.face, mesh.corners(seen.triangle), b) &&
-            !is_item(seen.triangle, samples, points))
+        const ProjectedTriangle& box = occluders.triangle[std::size_t(k)];
+        const bool around = box.x0 <= b.x0 && box.x1 >= b.x1 && box.y0 <= b.y0 && box.y1 >= b.y1;
+        if (around && box.nearest_w > b.nearest_w &&
+            shadows_box(mesh.space, mesh.face, mesh.corners(box.triangle), b) &&
+            !is_item(box.triangle, samples, points))
             return true;
     }
     return false;

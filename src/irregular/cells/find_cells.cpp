@@ -1,6 +1,6 @@
-// place_samples.cpp - samples and triangles to cells, a register at a time.
+// find_cells.cpp - samples and triangles to cells, a register at a time.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "irregular/cells/place_samples.cpp"
+#define HWY_TARGET_INCLUDE "irregular/cells/find_cells.cpp"
 #include "base/simd.h"
 
 #include "irregular/cells/cells.h"
@@ -46,7 +46,8 @@ HWY_INLINE V cell_along(V v, float start, float scale, int count)
     return hn::Min(inside, hn::Set(d, float(count - 1)));
 }
 
-void place(const CellGrid& grid, std::span<const IrregularSample> samples, std::uint16_t* cell)
+void sample_cells(
+    const CellGrid& grid, std::span<const IrregularSample> samples, std::uint16_t* cell)
 {
     const Reals d;
     const Whole w;
@@ -60,13 +61,13 @@ void place(const CellGrid& grid, std::span<const IrregularSample> samples, std::
     }
 }
 
-void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
+void triangle_cells(const CellGrid& grid, const SampleBounds& bounds,
     std::span<const ProjectedTriangle> triangles, CellRect* rect)
 {
     const Reals d;
     const Whole w;
     for (std::size_t k = 0; k < triangles.size(); k += hn::Lanes(d)) {
-        const ProjectedTriangles box = load_seen(triangles, k);
+        const ProjectedTriangles box = load_projected(triangles, k);
         const auto column = [&](auto v) {
             return hn::ConvertTo(w, cell_along(v, grid.x0, grid.scale_x, grid.columns));
         };
@@ -76,13 +77,12 @@ void place_boxes(const CellGrid& grid, const SampleBounds& bounds,
         const auto none = hn::Set(w, 0x000000FF); // column0 255, column1 0
         const auto packed = hn::Or(hn::Or(column(box.x0), hn::ShiftLeft<8>(row(box.y0))),
             hn::Or(hn::ShiftLeft<16>(column(box.x1)), hn::ShiftLeft<24>(row(box.y1))));
-        const auto chosen =
-            hn::IfThenElse(hn::RebindMask(w, may_shadow(box, bounds)), packed, none);
+        const auto chosen = hn::IfThenElse(hn::RebindMask(w, may_hit(box, bounds)), packed, none);
         hn::StoreU(chosen, w, reinterpret_cast<std::int32_t*>(rect + k));
     }
 }
 
-SampleBounds bounds(std::span<const IrregularSample> samples)
+SampleBounds sample_bounds(std::span<const IrregularSample> samples)
 {
     const Reals d;
     const auto infinite = hn::Inf(d), least = hn::Neg(infinite);
@@ -107,24 +107,25 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace firsthit {
 
-HWY_EXPORT(place);
-HWY_EXPORT(place_boxes);
-HWY_EXPORT(bounds);
+HWY_EXPORT(sample_cells);
+HWY_EXPORT(triangle_cells);
+HWY_EXPORT(sample_bounds);
 
-void place_samples(const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell)
+void find_sample_cells(
+    const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell)
 {
-    HWY_DYNAMIC_DISPATCH(place)(grid, from, cell);
+    HWY_DYNAMIC_DISPATCH(sample_cells)(grid, from, cell);
 }
 
-void place_triangles(const CellGrid& grid, const SampleBounds& bounds,
+void find_triangle_cells(const CellGrid& grid, const SampleBounds& bounds,
     std::span<const ProjectedTriangle> from, CellRect* rect)
 {
-    HWY_DYNAMIC_DISPATCH(place_boxes)(grid, bounds, from, rect);
+    HWY_DYNAMIC_DISPATCH(triangle_cells)(grid, bounds, from, rect);
 }
 
 SampleBounds bounds_of(std::span<const IrregularSample> samples)
 {
-    return HWY_DYNAMIC_DISPATCH(bounds)(samples);
+    return HWY_DYNAMIC_DISPATCH(sample_bounds)(samples);
 }
 
 } // namespace firsthit
