@@ -1,5 +1,4 @@
-// cell_kernel.cpp - a few thousand samples of the irregular z-buffer against the triangles of
-// their cell.
+// cell_kernel.cpp - tests the samples of one cell of the irregular z-buffer against the cell's triangles.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/cells/cell_kernel.cpp"
 #include "base/simd.h"
@@ -16,26 +15,26 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The box as offsets from (x, y).
+/// The triangle with its box relative to (x, y).
 HWY_INLINE ProjectedTriangle moved(const ProjectedTriangle& box, float x, float y)
 {
     return {box.triangle, box.x0 - x, box.y0 - y, box.x1 - x, box.y1 - y, box.nearest_w};
 }
 
-/// The slots of sixteen triangles, a row for each side of the box and the depth.
+/// The slots (overlap_table.h) of sixteen triangles: rows x0, y0, x1, y1 and nearest w.
 struct SlotRegister {
     alignas(64) std::int32_t slot[5][kGroup];
 };
 
-/// Fills in the slots of up to sixteen triangles. Returns those that may shadow a sample inside the
-/// bounds, a bit each.
+/// Fills in the slots of the first sixteen triangles, or of all if there are fewer: the lanes after the
+/// last one are garbage. Returns a bit for each triangle, set if it may be hit (may_hit).
 HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles,
     const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& found)
 {
     const Group d;
     const hn::RebindToSigned<Group> w;
     const int lanes = int(hn::Lanes(d));
-    const auto slot_of = [&](auto v, const Slots& axis) { // as Slots::of
+    const auto slot_of = [&](auto v, const Slots& axis) { // the same as Slots::of
         const auto at = hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale));
         const auto inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), at);
         return hn::ConvertTo(w, hn::Min(inside, hn::Set(d, float(kSlots - 1))));
@@ -55,7 +54,7 @@ HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles
     return chosen;
 }
 
-/// The groups that are not shadowed and that the triangle may shadow.
+/// Whether the triangle may shadow a sample of any group that is not wholly shadowed yet.
 HWY_INLINE bool overlaps_open_group(const CellKernelMemory& kernel, const TriangleSlots& box)
 {
     std::uint64_t any = 0;
@@ -63,6 +62,7 @@ HWY_INLINE bool overlaps_open_group(const CellKernelMemory& kernel, const Triang
     return any != 0;
 }
 
+/// Adds a triangle to the batch; tests and empties the batch when it is full.
 HWY_INLINE void add_to_batch(const CellTest& cell, std::uint32_t triangle, const TriangleSlots& box,
     CellKernelMemory& kernel)
 {
@@ -74,7 +74,7 @@ HWY_INLINE void add_to_batch(const CellTest& cell, std::uint32_t triangle, const
 
 void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory& kernel)
 {
-    // Boxes as offsets from the middle, like the samples.
+    // Boxes are relative to the cell's middle, like the samples' coordinates.
     const float xm = kernel.middle_x, ym = kernel.middle_y;
     const SampleBounds& b = kernel.bounds;
     const BoxSlots slots({b.x0 - xm, b.y0 - ym, b.x1 - xm, b.y1 - ym, b.farthest_w, b.nearest_w});
@@ -104,6 +104,7 @@ void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory
     test_batch(cell, kernel);
 }
 
+/// test_cell, compiled for one instruction set.
 void test_samples(const PencilMesh& mesh, const CellWork& work, const PencilPoints& points,
     CellKernelMemory& kernel, std::uint8_t* shadowed)
 {
@@ -130,7 +131,8 @@ HWY_EXPORT(test_samples);
 
 void reserve(CellKernelMemory& memory, std::size_t samples)
 {
-    const std::size_t padded = std::bit_ceil(most_groups(samples) * kGroup); // seldom more
+    // Rounded up to a power of two, so that slightly larger cells do not allocate again.
+    const std::size_t padded = std::bit_ceil(most_groups(samples) * kGroup);
     for (auto* values : {&memory.x, &memory.y, &memory.w}) values->resize(padded);
     memory.item.resize(padded);
     memory.has_item.resize(padded / kGroup);

@@ -1,4 +1,4 @@
-// cell_raster-inl.h - triangles that are set up, over the groups of a cell.
+// cell_raster-inl.h - tests a batch of triangles, once it is set up, against the groups of a cell.
 #if defined(FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
 #undef FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
@@ -19,7 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Samples that the filters left open: exactly, one at a time. Returns those that are shadowed.
+/// Tests the samples of a group whose bits are set in `open` with is_shadowed, one at a time. Returns
+/// the bits of those that are shadowed.
 HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
     std::span<const IrregularSample> samples, const PencilPoints& points, std::uint32_t triangle,
     std::size_t group, std::uint32_t open, CellKernelMemory& kernel)
@@ -37,15 +38,16 @@ HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
     return shadowed;
 }
 
-/// A cell, as the tests of its triangles see it.
+/// What the tests of a cell's triangles need.
 struct CellTest {
     const PencilMesh& mesh;
     std::span<const IrregularSample> samples;
     const PencilPoints& points;
-    float edge_error;
+    float edge_error; // cell_edge_error
 };
 
-/// The items of a group's samples, fetched when first asked for: most groups never are.
+/// The items of a group's samples, kNoItem after the last one. They are loaded the first time that they
+/// are needed, because most groups never need them.
 HWY_INLINE const std::uint32_t* items_of(
     const CellTest& cell, std::size_t group, CellKernelMemory& kernel)
 {
@@ -59,7 +61,7 @@ HWY_INLINE const std::uint32_t* items_of(
     return items;
 }
 
-/// Triangle i of the batch against the given groups of a chunk.
+/// Tests triangle i of the batch against the groups of a chunk whose bits are set.
 HWY_INLINE void test_groups(
     const CellTest& cell, int i, std::size_t chunk, std::uint64_t groups, CellKernelMemory& kernel)
 {
@@ -94,7 +96,7 @@ HWY_INLINE void test_groups(
             const auto least = hn::Min(e0, hn::Min(e1, e2));
             const auto ahead =
                 hn::Sub(hn::MulAdd(wx, x, hn::MulAdd(wy, y, wc)), hn::Load(d, kernel.w.data() + k));
-            // Also where `ahead` is no number.
+            // A comparison with NaN is false, so `maybe` is set where `ahead` is NaN.
             const auto maybe = hn::AndNot(hn::Lt(ahead, lit_below), hn::Gt(least, maybe_from));
             if (hn::AllFalse(d, maybe)) continue;
             const auto other = hn::RebindMask(
@@ -115,8 +117,8 @@ HWY_INLINE void test_groups(
     }
 }
 
-/// The groups of a chunk that no edge of triangle i leaves out: for a triangle whose box holds many
-/// groups, as a needle's across the cell.
+/// Removes the groups of a chunk that lie wholly outside of an edge of triangle i. Worth its cost for a
+/// triangle whose box overlaps many groups, such as a long thin one across the cell.
 HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t chunk,
     std::uint64_t groups, const CellKernelMemory& kernel)
 {
@@ -129,7 +131,7 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
         const std::size_t at = chunk * kTableBoxes + k;
         auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
         hn::LoadInterleaved4(d, kernel.box[at].side, x0, minus_x1, y0, minus_y1);
-        // Middles, and how far the samples lie from there at most.
+        // The middle of each box, and the largest distance of a sample from it.
         const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),
                    y = hn::Mul(half, hn::Sub(y0, minus_y1));
         const auto rx = hn::Mul(room, hn::Max(hn::Sub(hn::Neg(minus_x1), x), hn::Sub(x, x0)));
@@ -146,6 +148,7 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
     return groups & inside;
 }
 
+/// Sets up the triangles of the batch, tests them against the groups, and empties the batch.
 inline void test_batch(const CellTest& cell, CellKernelMemory& kernel)
 {
     constexpr int kManyGroups = 12;

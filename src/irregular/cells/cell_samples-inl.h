@@ -1,4 +1,5 @@
-// cell_samples-inl.h - the samples of one cell of the irregular z-buffer, made ready for its triangles.
+// cell_samples-inl.h - copies the samples of one cell of the irregular z-buffer into groups, and computes
+// the cell's frame and error bounds.
 #if defined(FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_
 #undef FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_
@@ -20,9 +21,9 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Group = hn::CappedTag<float, kGroup>; // a group is one register or a few
+using Group = hn::CappedTag<float, kGroup>; // a group takes one register or a few
 
-/// Bounds and middle of the cell, and what they say of errors and margins.
+/// Sets bounds, middle, error and margin bounds of the cell.
 inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellKernelMemory& kernel)
 {
     kernel.bounds = bounds;
@@ -32,7 +33,7 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
     const SampleBounds& b = kernel.bounds;
     const double most_x = std::max(std::abs(b.x0), std::abs(b.x1)),
                  most_y = std::max(std::abs(b.y0), std::abs(b.y1));
-    // Floats, so that the offsets are single roundings.
+    // The middle is a float, so that the offsets of samples are rounded once.
     kernel.middle_x = 0.5f * b.x0 + 0.5f * b.x1;
     kernel.middle_y = 0.5f * b.y0 + 0.5f * b.y1;
     const bool directional = mesh.space.directional;
@@ -44,9 +45,9 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
     kernel.half_x = half(b.x0, b.x1, kernel.middle_x, kernel.error_x);
     kernel.half_y = half(b.y0, b.y1, kernel.middle_y, kernel.error_y);
 
-    // The margin, over a point's c (see shadow_margin, and set_up-inl.h).
+    // Bounds of shadow_margin over c (see set_up-inl.h).
     const double reach = mesh.space.reach;
-    double least = 0, most = 0; // of the largest coordinate, times two, plus reach
+    double least = 0, most = 0; // of 2 * (largest coordinate) + reach, over c
     const auto away = [](double low, double high) { return std::max({low, -high, 0.0}); };
     const double away_xy = std::max(away(b.x0, b.x1), away(b.y0, b.y1));
     if (directional) {
@@ -57,7 +58,7 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
         least = 2 * std::max(1.0, away_xy) + reach * std::max(0.0, double(b.farthest_w));
         most = 2 * std::max({1.0, most_x, most_y}) + reach * double(kernel.largest_w);
     }
-    // And of the corners: corner_margin, over c as well.
+    // Bounds of corner_margin over c, for a corner whose largest coordinate is 1.
     const double least_w = directional ? 1 : std::max(0.0, double(b.farthest_w)),
                  most_w = directional ? 1 : double(kernel.largest_w);
     const double underflow = kMarginUnderflow * most_w;
@@ -67,9 +68,10 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
     kernel.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
-/// How many of sixteen samples and the next one make a group: samples of one square of 4x4, which
-/// have consecutive ids (base/tile_order.h), stay together where they can. Ids mostly rise; where
-/// they do not, any number does.
+/// How many of the next sixteen samples make a group. Reads seventeen samples. The 4x4 samples of one
+/// square of pixels have consecutive ids (base/tile_order.h), and the group ends before a square that
+/// would not fit into it wholly. This presumes rising ids; for others the result is any number from 1
+/// to 16, which is correct, but boxes of groups may be larger.
 HWY_INLINE std::size_t group_size(const IrregularSample* samples)
 {
     const auto square = [&](std::size_t k) { return samples[k].id / kGroup; };
@@ -77,16 +79,16 @@ HWY_INLINE std::size_t group_size(const IrregularSample* samples)
     if (samples[kGroup - 1].id - samples[0].id == kGroup - 1 && samples[0].id % kGroup == 0)
         return kGroup; // a whole square
     if (square(kGroup) != last || square(0) == last) return kGroup;
-    std::size_t before = 0; // the number of the last one that is not of the last square
+    std::size_t before = 0; // index of the last sample that is not of the last square
     for (std::size_t step = kGroup / 2; step > 0; step /= 2)
         before += square(before + step) != last ? step : 0;
     return before + 1;
 }
 
-/// Vectors over a group's samples.
+/// The bounds of a group's samples, lane by lane. A w of NaN counts as infinitely far.
 struct GroupBounds {
     using V = hn::Vec<Group>;
-    V x, minus_x, y, minus_y, w; // the least of each
+    V x, minus_x, y, minus_y, w; // the minimum of each
 
     HWY_INLINE void add(const V& sample_x, const V& sample_y, const V& sample_w)
     {
@@ -99,7 +101,8 @@ struct GroupBounds {
 };
 
 #if HWY_TARGET != HWY_SCALAR
-/// Over the register's parts of four lanes.
+/// The minimum over the register's blocks of four lanes: element k of the result is the minimum of
+/// lanes k, k + 4, k + 8, ...
 template <class D>
 HWY_INLINE auto least_of_blocks(D, hn::Vec<D> v)
 {
@@ -112,7 +115,7 @@ HWY_INLINE auto least_of_blocks(D, hn::Vec<D> v)
 }
 #endif
 
-/// box = the least of x, -x, y, -y.
+/// Stores the minimum of x, -x, y and -y over all lanes; see GroupBox.
 HWY_INLINE void store_box(const GroupBounds& bounds, float* box)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -132,7 +135,8 @@ HWY_INLINE void store_box(const GroupBounds& bounds, float* box)
 #endif
 }
 
-/// Finds the slots of groups' boxes, as Slots::of without jumps, which would be guessed wrong.
+/// Finds the slots of groups' boxes. The result is that of Slots::of, but without branches, which would
+/// be mispredicted.
 class GroupSlots {
   public:
     static constexpr int kSides = 4;
@@ -146,8 +150,9 @@ class GroupSlots {
         }
     }
 
-    /// box       the least of x, -x, y, -y
-    /// farthest  w of the samples
+    /// box       see GroupBox
+    /// farthest  the smallest w of the group's samples
+    /// slot      out: of x0, x1, y0, y1 and the farthest w
     HWY_INLINE void find(const float* box, float farthest, int (&slot)[kSides + 1]) const
     {
 #if HWY_TARGET == HWY_SCALAR
@@ -175,9 +180,9 @@ class GroupSlots {
     alignas(16) float start_[kSides], scale_[kSides];
 };
 
-/// Copies a group's samples as offsets from the middle. What fills it up is where its first sample
-/// is, infinitely near to the light.
-/// from  whole registers
+/// Copies `count` samples to a group, as offsets from the middle. The lanes after them get the position
+/// of the first sample and an infinite w, which no triangle shadows.
+/// from  kGroup samples are read
 HWY_INLINE GroupBounds copy_group(
     const IrregularSample* from, std::size_t count, std::size_t group, CellKernelMemory& kernel)
 {
@@ -201,12 +206,12 @@ HWY_INLINE GroupBounds copy_group(
     return bounds;
 }
 
-/// Copies the samples group by group, and enters the groups into the tables.
-/// slots  of offsets from the middle
+/// Copies all samples of the cell into groups, and enters the groups into the overlap tables.
+/// slots  made from bounds that are relative to the cell's middle
 inline void fill_groups(
     std::span<const IrregularSample> samples, const BoxSlots& slots, CellKernelMemory& kernel)
 {
-    constexpr std::size_t kAhead = 8 * kGroup; // samples: their memory is asked for
+    constexpr std::size_t kAhead = 8 * kGroup; // samples: how far ahead memory is prefetched
     const std::size_t most = most_groups(samples.size());
     for (auto* values : {&kernel.x, &kernel.y, &kernel.w}) values->resize(most * kGroup);
     kernel.first.resize(most + 1);

@@ -1,4 +1,4 @@
-// cells.cpp - samples and triangles sorted into cells: counting sorts in three passes.
+// cells.cpp - sorts samples and triangles into the cells of a grid, by counting sorts in three passes.
 #include "irregular/cells/cells.h"
 
 #include <cmath>
@@ -26,8 +26,8 @@ std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint3
 
 namespace {
 
-/// Calls f(k, length) for runs of samples in one cell: sixteen at a time, as neighbours mostly are,
-/// else one by one.
+/// Calls f(k, length) for runs of samples that are all in one cell: for sixteen samples together where
+/// they are, which is the most frequent case, else for each sample.
 template <class F>
 void for_runs(const std::uint16_t* cell, std::size_t count, const F& f)
 {
@@ -54,7 +54,7 @@ CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells)
     CellGrid grid;
     grid.x0 = bounds.x0;
     grid.y0 = bounds.y0;
-    // A side of nearly no length has one column.
+    // Cells are squares where they can be; a side shorter than a cell has one column or row.
     const double square = std::sqrt(std::max(width * height, 0.0) / double(cells));
     const double longest = std::max(width, height) / double(cells);
     const double side = std::max(square, longest);
@@ -109,16 +109,17 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
 
 namespace {
 
-constexpr int kManyCells = 9; // from these on the edges are asked
+constexpr int kManyCells =
+    9; // a box over fewer cells is copied to all of them, without an EdgeTest
 
-/// The edges of a triangle as its face sees it, for cells that lie outside of one. Its corners and
-/// the samples are rounded: an edge counts as further out by kTolerance of the largest coordinate.
+/// Finds cells that lie outside of an edge of a projected triangle. Corners and samples are rounded, so
+/// each edge is moved outwards by kTolerance times the largest coordinate.
 class EdgeTest {
   public:
     EdgeTest(const PencilMesh& mesh, std::uint32_t triangle, const CellGrid& grid)
         : x0_(grid.x0),
           y0_(grid.y0),
-          width_(1 / double(grid.scale_x)), // infinite where all columns are one: nothing is asked
+          width_(1 / double(grid.scale_x)), // infinite if the scale is 0: then misses() is false
           height_(1 / double(grid.scale_y))
     {
         const glm::uvec3& index = mesh.index[triangle];
@@ -133,8 +134,8 @@ class EdgeTest {
             largest = std::max({largest, double(std::abs(c.x)), double(std::abs(c.y))});
         const double size =
             std::abs(dx(0, 1)) + std::abs(dy(0, 1)) + std::abs(dx(0, 2)) + std::abs(dy(0, 2));
-        // Nothing is asked where roundings might have turned the triangle over, nor where a corner
-        // is behind the face, and so no number: the comparison is false then.
+        // The edges stay 0, so that misses() is false, where roundings might have flipped the
+        // triangle's orientation, and where a corner is NaN: then this comparison is false.
         if (!(largest < 1e30 && std::abs(area) > 4 * kTolerance * largest * size)) return;
         const double side = area < 0 ? -1 : 1;
         for (int k = 0; k < 3; ++k) {
@@ -147,7 +148,7 @@ class EdgeTest {
         }
     }
 
-    /// Whether the cell lies outside of an edge.
+    /// Whether the cell certainly lies outside of an edge.
     bool misses(std::size_t column, std::size_t row) const
     {
         const double x = x0_ + width_ * double(column), y = y0_ + height_ * double(row);
@@ -182,7 +183,7 @@ bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> f
     const CellRect* rects = cells.rect_of.data();
     const auto for_cells = [&, rects, columns](std::size_t k, const auto& f) {
         const CellRect rect = rects[k];
-        if (rect.column0 == rect.column1 && rect.row0 == rect.row1) { // most small triangles
+        if (rect.column0 == rect.column1 && rect.row0 == rect.row1) { // the case of small triangles
             f(rect.row0 * columns + rect.column0);
             return;
         }

@@ -1,4 +1,4 @@
-// cells.h - samples and triangles sorted into the cells of a grid over the samples.
+// cells.h - sorts samples and triangles into the cells of a grid over the samples' bounds.
 #pragma once
 
 #include "base/tasks.h"
@@ -11,41 +11,43 @@
 
 namespace firsthit {
 
-/// A grid over a rectangle. The functions from x to column and from y to row never fall as their
-/// argument grows, and are the same for samples and triangles: so a triangle meets all cells whose
-/// samples it may cover, whatever is rounded.
+/// A grid over a rectangle of the face: column = (x - x0) * scale_x, row = (y - y0) * scale_y, clamped to
+/// the grid. These functions are monotonic and the same for samples and for triangles' boxes, so a
+/// triangle's cells include the cell of every sample in its box, whatever the roundings.
 struct CellGrid {
-    float x0 = 0, y0 = 0;           // of the rectangle
-    float scale_x = 0, scale_y = 0; // cells a unit
+    float x0 = 0, y0 = 0;           // the corner of the rectangle
+    float scale_x = 0, scale_y = 0; // cells per unit of the face
     int columns = 1, rows = 1;
 
     int cells() const { return columns * rows; }
 };
 
-/// The cells that a triangle meets, ends included; first > last where it meets none.
+/// The cells that a triangle's box overlaps, both ends included. column0 > column1: none.
 struct CellRect {
     std::uint8_t column0, row0, column1, row1;
 };
 
-/// The cells of samples, 16 at a time: cell[k] of from[k]. Up to 15 more are written.
+/// cell[k] = the cell of sample from[k]. Writes whole registers; up to 15 entries past the last one are
+/// garbage.
 void find_sample_cells(
     const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell);
 
-/// The cells of triangles; none for one that may shadow no sample inside the bounds.
+/// rect[k] = the cells of triangle from[k]; none if it cannot be hit (may_hit) by a ray to a sample
+/// inside the bounds. Writes whole registers; up to 15 entries past the last one are garbage.
 void find_triangle_cells(const CellGrid& grid, const SampleBounds& bounds,
     std::span<const ProjectedTriangle> from, CellRect* rect);
 
-/// Bounds of samples.
+/// The bounds of samples.
 SampleBounds bounds_of(std::span<const IrregularSample> samples);
 
-/// At most this many cells.
+/// The largest number of cells to ask cell_grid for, and of columns or rows of a grid.
 inline constexpr std::size_t kMostCells = 1 << 14;
-inline constexpr int kMostColumns = 255; // or rows
+inline constexpr int kMostColumns = 255;
 
-/// About `cells` cells over the bounds, about square.
+/// A grid of about `cells` cells, about square ones, over the bounds.
 CellGrid cell_grid(const SampleBounds& bounds, std::size_t cells);
 
-/// Kept from frame to frame.
+/// Samples and triangles sorted by cell. The memory is kept from frame to frame.
 struct IrregularCells {
     SampleBounds bounds; // of all samples
     CellGrid grid;
@@ -63,14 +65,15 @@ struct IrregularCells {
     }
 };
 
-/// Sorts the samples of all ranges.
-/// from  all that the ranges lie in
+/// Fills in cells.samples and cells.sample_start for cells.grid.
+/// ranges  of indices into `from`
 void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
-/// Copies each triangle that may shadow a sample to all cells that it may meet: those of its box, or
-/// of a triangle over many cells only those that all its edges leave open. Returns what bin_triangles
-/// does.
+/// Fills in cells.bins for cells.grid and cells.bounds: each triangle that may be hit (may_hit) is copied
+/// to all cells that its box overlaps; for boxes over many cells, to those that do not lie outside of
+/// an edge. Returns false, and sorts nothing, if that took too many copies (bin_triangles).
+/// ranges  of indices into `from`
 bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> from,
     std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks);
 

@@ -1,4 +1,4 @@
-// find_cells.cpp - samples and triangles to cells, a register at a time.
+// find_cells.cpp - finds the cells of samples and triangles, one register at a time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/cells/find_cells.cpp"
 #include "base/simd.h"
@@ -16,7 +16,7 @@ namespace {
 using Reals = ProjectedTag;
 using Whole = hn::RebindToSigned<Reals>;
 
-/// Samples [k, k + lanes); the last ones of a short register repeat the first.
+/// Samples [k, k + lanes). Lanes past the end repeat sample k.
 struct SampleRegister {
     hn::Vec<Reals> x, y, w;
 
@@ -36,7 +36,8 @@ struct SampleRegister {
     }
 };
 
-/// The columns or rows of coordinates, as whole numbers in a float: 0 where a coordinate is none.
+/// The columns or rows of a register of coordinates as floats in [0, count - 1], to be truncated. 0 for
+/// NaN.
 template <class V>
 HWY_INLINE V cell_along(V v, float start, float scale, int count)
 {
@@ -74,7 +75,7 @@ void triangle_cells(const CellGrid& grid, const SampleBounds& bounds,
         const auto row = [&](auto v) {
             return hn::ConvertTo(w, cell_along(v, grid.y0, grid.scale_y, grid.rows));
         };
-        const auto none = hn::Set(w, 0x000000FF); // column0 255, column1 0
+        const auto none = hn::Set(w, 0x000000FF); // column0 = 255 > column1 = 0
         const auto packed = hn::Or(hn::Or(column(box.x0), hn::ShiftLeft<8>(row(box.y0))),
             hn::Or(hn::ShiftLeft<16>(column(box.x1)), hn::ShiftLeft<24>(row(box.y1))));
         const auto chosen = hn::IfThenElse(hn::RebindMask(w, may_hit(box, bounds)), packed, none);

@@ -1,4 +1,4 @@
-// occluders.cpp - large triangles that shadow whole patches and cells of samples.
+// occluded_samples.cpp - finds patches and cells of samples that one large triangle shadows as a whole.
 #include "irregular/cells/occluded_samples.h"
 
 #include "irregular/cells/shadowed_box.h"
@@ -6,7 +6,7 @@
 namespace firsthit {
 namespace {
 
-/// Whether one of the samples lies on the triangle.
+/// Whether one of the samples lies on the triangle. There must be at least one sample.
 bool is_item(
     std::uint32_t triangle, std::span<const IrregularSample> samples, const PencilPoints& points)
 {
@@ -14,7 +14,8 @@ bool is_item(
     bool found = false;
     const std::size_t between = samples.back().id - std::size_t(samples.front().id);
     if (points.ids_rise && between < 4 * samples.size()) {
-        // All lie between two: no need to look at each sample.
+        // The ids lie between the first and the last one: reading the items in order is faster than
+        // reading the samples, and the few ids that are no samples can only make the answer true.
         for (std::size_t id = samples.front().id; id <= samples.back().id; ++id)
             found |= points.item[id] == triangle;
     } else {

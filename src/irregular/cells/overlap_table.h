@@ -1,4 +1,9 @@
-// overlap_table.h - which of up to 64 boxes does a box overlap? Five lookups instead of 64 tests.
+// overlap_table.h - finds which of up to 64 boxes a triangle's box may overlap, by five table lookups
+// instead of 64 tests.
+//
+// Each axis (x, y and depth w) is cut into 32 slots. For each slot, bit masks tell which boxes begin at
+// or before it and which end at or after it; the boxes that overlap an interval on all axes are the
+// `and` of five masks.
 #pragma once
 
 #include "irregular/mesh/pencil_mesh.h"
@@ -10,10 +15,11 @@
 
 namespace firsthit {
 
-inline constexpr int kSlots = 32;      // into which each axis is cut
-inline constexpr int kTableBoxes = 64; // a bit each
+inline constexpr int kSlots = 32;      // slots of an axis
+inline constexpr int kTableBoxes = 64; // boxes of a table: a bit each
 
-/// From a coordinate to a slot; never falls as the coordinate grows.
+/// Maps a coordinate to a slot, monotonically. Coordinates outside of [low, high] go to the first or the
+/// last slot.
 struct Slots {
     float start = 0, scale = 0;
 
@@ -25,11 +31,11 @@ struct Slots {
     int of(float v) const
     {
         const float slot = (v - start) * scale;
-        return slot > 0 ? int(std::min(slot, float(kSlots - 1))) : 0; // 0 where it is no number
+        return slot > 0 ? int(std::min(slot, float(kSlots - 1))) : 0; // 0 for NaN
     }
 };
 
-/// How boxes and depths inside some bounds become slots.
+/// Maps boxes and depths inside some bounds to slots.
 struct BoxSlots {
     Slots x, y, w;
 
@@ -41,7 +47,7 @@ struct BoxSlots {
     }
 };
 
-/// A triangle's slots: x0, y0, x1, y1, nearest w.
+/// A triangle's slots, of x0, y0, x1, y1 and nearest_w.
 struct TriangleSlots {
     std::uint8_t slot[5];
 
@@ -54,7 +60,7 @@ struct TriangleSlots {
     }
 };
 
-/// The boxes that reach each slot, a bit each.
+/// Up to 64 boxes, a bit each. Call add for each box, then finish once, then of as often as needed.
 class OverlapTable {
   public:
     void add(int number, const SampleBounds& box, const BoxSlots& slots)
@@ -64,7 +70,8 @@ class OverlapTable {
         add(number, at);
     }
 
-    /// slot  of x0, x1, y0, y1 and the farthest w
+    /// number  of the box, 0 to 63
+    /// slot    of x0, x1, y0, y1 and the farthest w
     void add(int number, const int (&slot)[5])
     {
         const std::uint64_t bit = std::uint64_t(1) << number;
@@ -76,7 +83,7 @@ class OverlapTable {
         open |= bit;
     }
 
-    /// After the last add.
+    /// Completes the masks after the last add.
     void finish()
     {
         for (int k = 1; k < kSlots; ++k) {
@@ -90,21 +97,22 @@ class OverlapTable {
         }
     }
 
-    /// The open boxes that a triangle may overlap without being behind them. None is missed.
+    /// The open boxes that the triangle may overlap in x and y without being behind all their samples.
+    /// A box that it does overlap is never left out.
     std::uint64_t of(const TriangleSlots& s) const
     {
         return from_x_[s.slot[2]] & to_x_[s.slot[0]] & from_y_[s.slot[3]] & to_y_[s.slot[1]] &
                behind_[s.slot[4]] & open;
     }
 
-    std::uint64_t open = 0; // boxes that are still asked for
+    std::uint64_t open = 0; // boxes that `of` may return; the caller clears bits of finished ones
 
   private:
-    std::uint64_t from_x_[kSlots] = {}; // whose first slot is at most this
-    std::uint64_t to_x_[kSlots] = {};   // whose last slot is at least this
+    std::uint64_t from_x_[kSlots] = {}; // boxes whose first slot is at most this one
+    std::uint64_t to_x_[kSlots] = {};   // boxes whose last slot is at least this one
     std::uint64_t from_y_[kSlots] = {};
     std::uint64_t to_y_[kSlots] = {};
-    std::uint64_t behind_[kSlots] = {}; // whose farthest sample is at this depth or farther
+    std::uint64_t behind_[kSlots] = {}; // boxes whose farthest sample is in this slot or farther
 };
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// patches.cpp - samples that already lie together as the light sees them.
+// patches.cpp - patches of samples that are tested without being sorted into cells.
 #include "irregular/cells/patches.h"
 
 #include <bit>
@@ -13,7 +13,8 @@ bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t t
     const double whole = area(all);
     const double share = whole > 0 ? area(patch.bounds) / whole : 0;
     const double count = double(patch.range.count);
-    // Measured: a patch pays where it meets few triangles for its samples.
+    // Measured: testing a patch as it is pays if it has at most 1/16 as many triangles as samples, the
+    // triangles being estimated by the patch's share of the area.
     return share * double(triangles) <= count / 16;
 }
 

@@ -1,5 +1,5 @@
-// patches.h - samples that already lie together as the light sees them: they need no
-// sorting, only their triangles do.
+// patches.h - patches of samples: samples that came together, from one tile of the picture, and mostly
+// lie close together on the face too. A compact patch is tested as it is; only the triangles are sorted.
 #pragma once
 
 #include "irregular/mesh/bin_triangles.h"
@@ -10,26 +10,31 @@
 
 namespace firsthit {
 
-/// Samples of one face that came together, as from one tile of the picture.
+/// Samples of one face that came together, for instance from one tile of the picture.
 struct SamplePatch {
     SampleRange range;
     SampleBounds bounds;
 };
 
-/// Whether testing a patch as it is costs less than sorting its samples: neighbours in the picture
-/// are mostly neighbours for the light too.
-/// all, triangles  of the whole face: bounds and number
+/// Whether testing a patch as it is costs less than sorting its samples into cells.
+///
+/// all        the bounds of all samples of the face
+/// triangles  the number of triangles of the face
 bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t triangles);
 
-/// Kept from frame to frame.
+/// The compact patches of a face and their triangles. The memory is kept from frame to frame.
 struct PatchMemory {
     Buffer<SamplePatch> patches;
-    Buffer<OverlapTable> tables; // of 64 patches each
+    Buffer<OverlapTable> tables; // table k has the patches from number 64 k on
     TriangleBins bins;           // by patch
 };
 
-/// Copies each triangle to all patches whose samples it may shadow. memory.patches are given.
-/// Returns what bin_triangles does.
+/// Fills in memory.bins for memory.patches: each triangle is copied to all patches to whose samples a ray
+/// may hit it (may_hit). Returns false, and sorts nothing, if that took too many copies
+/// (bin_triangles).
+///
+/// ranges  of indices into `from`
+/// all     the bounds of all samples of the face
 bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
     const SampleBounds& all, PatchMemory& memory, Tasks& tasks);
 

@@ -1,19 +1,29 @@
-// set_up-inl.h - edges and depth of a batch of triangles in a cell, one triangle a lane.
+// set_up-inl.h - sets up the edges and the depth of a batch of triangles for a cell, one triangle a lane.
 //
-// Everything is computed in double and rounded once to float. With u = 2^-24, over a cell whose
-// samples lie within (hx, hy) of its middle:
+// Everything is computed in double and rounded to float once. (x, y) is a sample's offset from the cell's
+// middle, |x| <= hx, |y| <= hy, and u = 2^-24 is the relative error of a float.
 //
-// Edges e = c + gx x + gy y are scaled so that |c| + hx |gx| + hy |gy| = 1. Rounding the three and
-// the sample's offset and evaluating takes at most 7 u, fused or not. A sample's position_error is off by at
-// most error_x and error_y, which takes their share of hx and hy. The double part must stay below
-// u, else the triangle's samples are decided one by one.
+// Edges. An edge function e = c + gx x + gy y is scaled so that |c| + hx |gx| + hy |gy| = 1, so |e| <= 1
+// in the cell. The errors of e are at most
+//     7 u                                     rounding c, gx, gy, x and y, and evaluating, fused or not
+//     max(error_x / hx, error_y / hy)         the errors of the sample's own coordinates
+//     u                                       the roundings in double. Where they might be larger, the
+//                                             triangle gets edges of 0: all its samples are decided
+//                                             by the exact test
+// Together these are cell_edge_error. A sample is certainly inside above it and certainly outside below
+// its negative.
 //
-// Depth: with B = |wc| + hx |wx| + hy |wy| the same roundings take 8 u B, a sample's own w takes 2 u
-// of the largest w, its position_error |wx| error_x + |wy| error_y. The double part is added as it is.
+// Depth. w = wc + wx x + wy y. With B = |wc| + hx |wx| + hy |wy| its errors are at most
+//     8 u B                                   the same roundings
+//     2 u (largest |w| of a sample)           the sample's own w
+//     |wx| error_x + |wy| error_y             the errors of the sample's own coordinates
+//     double_error                            the roundings in double
 //
-// A sample is shadowed where w - (its w) > K s: K = |N| / |volume|, s = margins / c (a point light;
-// volume = N . v0), or K = |N| / |N.c|, s = margins (a directional one), |N| = |N.x| + |N.y| + |N.z|:
-// is_shadowed divided by what is positive.
+// Shadow. is_shadowed, divided by positive numbers, says that a sample is shadowed if
+//     w(triangle) - w(sample) > K s,    |N| = |N.x| + |N.y| + |N.z|
+//     pencil with an origin:  K = |N| / |N . v0|,  s = margins / c
+//     parallel pencil:        K = |N| / |N.c|,     s = margins
+// The bounds shadowed_from and lit_below take the largest and the least s of the cell, and the errors.
 #if defined(FIRSTHIT_IRREGULAR_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_SET_UP_INL_H
 #undef FIRSTHIT_IRREGULAR_SET_UP_INL_H
@@ -28,7 +38,7 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The bound of all edges' errors in a cell.
+/// The bound of the errors of all edge functions in a cell; see the top of the file.
 inline float cell_edge_error(const CellKernelMemory& kernel)
 {
     const double position_error =
@@ -36,6 +46,7 @@ inline float cell_edge_error(const CellKernelMemory& kernel)
     return float((8 * 0x1p-24 + position_error) * 1.01);
 }
 
+/// Sets up the triangles from number i of the batch on, as many as D has lanes.
 template <class D>
 HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kernel, int i)
 {
@@ -59,12 +70,13 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
         return hn::Add(hn::Abs(at), hn::Add(hn::Mul(hx, hn::Abs(x)), hn::Mul(hy, hn::Abs(y))));
     };
 
-    // The pencil's planes: a directional light's rays are those of a pencil with 1 for z.
+    // The planes through the rays' common point and each edge. The rays of a parallel pencil hit the same
+    // triangles as those of a pencil with an origin if all corners have c = 1.
     const auto pencil = [&](const Vector3<V>& v) {
         return directional ? Vector3<V>{v.x, v.y, one} : v;
     };
     const Planes<V> p = planes_of(pencil(v0), pencil(v1), pencil(v2));
-    V certain = hn::Abs(p.volume); // 0 where something is not
+    V certain = hn::Abs(p.volume); // set to 0 where the volume or an edge is too inexact
     certain =
         hn::IfThenElseZero(hn::Gt(certain, hn::Mul(hn::Set(d, 0x1p-26), p.volume_size)), certain);
 
@@ -73,7 +85,8 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
     const auto edge = [&](const Vector3<V>& n, auto& gx, auto& gy, auto& c) {
         const V at = at_middle(n.x, n.y, n.z);
         const V size = over_cell(at, n.x, n.y);
-        // Each product of the edge has one rounding, and there are two more on the way.
+        // The edge's error in double is below u if its terms are not 2^24 times larger than its
+        // size: each product has one rounding, and there are two more on the way.
         const V terms = hn::Add(
             hn::Add(hn::Mul(hn::Abs(n.x), reach_x), hn::Mul(hn::Abs(n.y), reach_y)), hn::Abs(n.z));
         certain = hn::IfThenElseZero(hn::Gt(hn::Mul(size, hn::Set(d, 0x1p24)), terms), certain);
@@ -86,7 +99,7 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
     edge(p.edge[1], gx1, gy1, c1);
     edge(p.edge[2], gx2, gy2, c2);
 
-    // Depth.
+    // Depth: slopes and value of w at the middle.
     const auto e1 = sub(v1, v0), e2 = sub(v2, v0);
     const auto n = directional ? cross(e1, e2) : p.n;
     const auto n_size = directional ? cross_size(e1, e2) : p.n_size;
@@ -94,7 +107,7 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
     const V divisor_size = directional ? n_size.z : p.volume_size;
     const V inverse = hn::Div(one, divisor);
     const V wx = hn::Mul(n.x, inverse), wy = hn::Mul(n.y, inverse);
-    V wc, terms; // terms: of wc, by their sizes
+    V wc, terms; // terms: the sum of the sizes of wc's terms
     if (directional) {
         const V dx = hn::Sub(xm, v0.x), dy = hn::Sub(ym, v0.y);
         wc = hn::Sub(hn::Mul(hn::Add(hn::Mul(n.x, dx), hn::Mul(n.y, dy)), inverse), v0.z);
@@ -107,7 +120,7 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
     }
     const V size = over_cell(wc, wx, wy);
     const V abs_inverse = hn::Abs(inverse);
-    const V divisor_error = hn::Mul(divisor_size, abs_inverse); // relative, in 2^-50
+    const V divisor_error = hn::Mul(divisor_size, abs_inverse); // relative, in units of 2^-50
     const auto u = [&](double x) { return hn::Set(d, x); };
     const V double_error = hn::Mul(u(0x1p-49),
         hn::Add(hn::Mul(terms, abs_inverse), hn::Mul(size, hn::Add(one, divisor_error))));
@@ -131,8 +144,8 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
         hn::Add(hn::Set(d, kernel.least_margin), hn::Mul(hn::Set(d, kernel.least_corner), corner));
     const V most = hn::Add(hn::Mul(hn::Add(k, k_error), most_margin), error);
     const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), least_margin), error);
-    // A divisor that may be anything, or a float that overflows: nothing is certain. In a small cell
-    // the slopes of w may be far larger than w.
+    // Nothing is certain if the divisor might have any value, or if a float would overflow: in a small
+    // cell the slopes of w may be far larger than w.
     const auto fits = [&](const V& v) { return hn::Lt(v, u(0x1p120)); };
     const auto floats =
         hn::And(hn::And(fits(size), fits(most)), hn::And(fits(hn::Abs(wx)), fits(hn::Abs(wy))));

@@ -1,12 +1,14 @@
-// shadowed_box.cpp - does a triangle certainly shadow everything in a box, or do two?
+// shadowed_box.cpp - decides whether one triangle, or two that share an edge, certainly shadow everything
+// inside a box of the face.
 //
-// It does where its edges are positive at the box's corners and it is nearer to the light there than
-// the nearest point, by more than the margin: edges and depth are affine. All in double, and nothing
-// is certain that roundings might change: not on which side of a triangle a light is that lies
-// nearly in its plane.
+// One triangle does if, at the four corners of the box, all its edge functions are positive and its
+// plane is nearer to the origin than the nearest point by more than the margin. The corners suffice,
+// because edges and depth are affine. All is computed in double; where roundings might change a sign,
+// the answer is "not certain", for instance if the origin lies nearly in the triangle's plane.
 //
-// Of two triangles with a common edge, each ray that is inside all their other edges hits one: it is on
-// one side or the other of the common edge, whose exact sign is one number for both.
+// Two triangles with a common edge: a ray that is inside of their other four edges hits one of the two,
+// because it lies on one side or the other of the common edge, and the exact sign of that edge is
+// the same number for both.
 #include "irregular/cells/shadowed_box.h"
 
 #include <glm/geometric.hpp>
@@ -20,13 +22,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kTolerance = 0x1p-20; // for roundings, far more than they are
+constexpr double kTolerance = 0x1p-20; // relative; far larger than the roundings of doubles
 
 struct FacePoint {
     double x, y;
 };
 
-/// The corners of the bounds, a little further out: samples' box_corners are rounded, tiny ones to 0.
+/// The corners of the bounds, moved outwards by more than the roundings of samples' coordinates, which
+/// may also have underflowed to 0.
 std::array<FacePoint, 4> corners_of(const SampleBounds& b)
 {
     const auto out = [](float v) { return 0x1p-22 * std::abs(double(v)) + 0x1p-140; };
@@ -35,11 +38,11 @@ std::array<FacePoint, 4> corners_of(const SampleBounds& b)
     return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}};
 }
 
-/// A value, and what its roundings are relative to.
+/// A computed value, and the size that its rounding errors are relative to: the sum of its terms' sizes.
 struct Rounded {
     double value = 0, size = 0;
 
-    /// 0 where it may be.
+    /// The sign of the exact value; 0 where that is not certain.
     int sign() const { return std::abs(value) > kTolerance * size ? value > 0 ? 1 : -1 : 0; }
 };
 
@@ -59,15 +62,17 @@ Rounded dot(const RoundedVector& n, const dvec3& p)
     return {glm::dot(n.value, p), glm::dot(n.size, glm::abs(p))};
 }
 
-/// A product of two corners: each component is the difference of two exact products.
+/// The cross product of two corners. Each component is the difference of two products of floats, which
+/// are exact in double, so that it is rounded once.
 RoundedVector corner_product(const dvec3& a, const dvec3& b)
 {
     const dvec3 n = glm::cross(a, b);
     return {n, glm::abs(n)};
 }
 
-/// On which side of the light the triangle's plane is, as volume_sign, if the triangle shadows all that is
-/// inside of edge number `open` (3: it has none such), else 0.
+/// Whether the triangle certainly shadows all points inside the bounds that are on the inner side of edge
+/// number `open`; this edge alone is not tested (3: all edges are). Returns the sign of the
+/// triangle's volume (volume_sign) if so, else 0.
 int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners& corners,
     std::size_t open, const SampleBounds& bounds)
 {
@@ -92,7 +97,7 @@ int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners
     const Rounded divisor = directional ? Rounded{n.value.z, n.size.z} : volume;
     if (divisor.sign() == 0) return 0;
     const double nearest = bounds.nearest_w;
-    // Of a point's coordinates, over its c for a point light.
+    // The largest coordinate of a point, divided by its c in a pencil with an origin.
     const double largest = std::max(
         {std::abs(double(bounds.x0)), std::abs(double(bounds.x1)), std::abs(double(bounds.y0)),
             std::abs(double(bounds.y1)), directional ? std::abs(nearest) : 1.0,
@@ -102,7 +107,7 @@ int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners
                           (double(kShadowMargin) * double(space.reach) +
                               double(corner_margin(corners)) + kMarginUnderflow) *
                               per_margin;
-    const double length = n.size.x + n.size.y + n.size.z; // or a little more
+    const double length = n.size.x + n.size.y + n.size.z; // an upper bound of |N|
     for (const FacePoint& at : box_corners) {
         const Rounded height =
             directional ? dot(n, {at.x - v[0].x, at.y - v[0].y, 0}) : dot(n, {at.x, at.y, 1});
