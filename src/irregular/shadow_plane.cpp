@@ -1,4 +1,6 @@
-// shadow_plane.cpp - is a point certainly behind a triangle's plane, or certainly not?
+// shadow_plane.cpp - decides in double whether a point is behind a triangle's plane, where that is
+// certain.
+
 #include "irregular/shadow_plane.h"
 
 #include "exact/shadow_ray.h"
@@ -12,7 +14,7 @@ namespace {
 
 using glm::dvec3;
 
-/// What an expression's roundings are relative to: the sum of its terms' sizes.
+/// A computed value, and the size that its roundings are relative to: the sum of its terms' sizes.
 struct Sized {
     double value, size;
 };
@@ -23,11 +25,12 @@ Sized minor(double a, double b, double c, double d)
     return {plus - minus, std::abs(plus) + std::abs(minus)};
 }
 
-// Samples and corners of a pencil are off by 2^-24 of their size, and so is a sample's w; the
-// roundings of doubles are nothing beside that. Parallel light has only these.
+// Relative errors. In a pencil with an origin, x, y and w of samples and corners are off by 2^-24
+// of their size, and the roundings of doubles are negligible beside that. A parallel pencil has
+// only the latter.
 constexpr double kPencilError = 0x1p-22, kParallelError = 0x1p-40;
-constexpr double kSteepest = 0x1p-20; // a divisor below this share of its terms is not certain
-constexpr double kMarginRoom = 0x1p-18;
+constexpr double kSteepest = 0x1p-20;   // a divisor below this share of its terms is too inexact
+constexpr double kMarginRoom = 0x1p-18; // relative error of the margins
 
 } // namespace
 
@@ -70,7 +73,7 @@ Verdict ShadowPlane::classify(float x, float y, float w) const
     const double ahead = wx_ * dx + wy_ * dy + wc_ - double(w);
     const double error = ex_ * std::abs(dx) + ey_ * std::abs(dy) + ec_ +
                          (directional_ ? kParallelError : kPencilError) * size;
-    double of_point = 0, per_margin = 1; // margins over c; and what 1 is over c
+    double of_point = 0, per_margin = 1; // shadow_margin / kShadowMargin and 1, both divided by c
     if (directional_) {
         of_point = 2 * std::max({std::abs(double(x)), std::abs(double(y)), size}) + reach_;
     } else {
@@ -79,7 +82,7 @@ Verdict ShadowPlane::classify(float x, float y, float w) const
     }
     const double margin = double(kShadowMargin) * of_point + corner_margin_ * per_margin;
     const double room = kMarginRoom * margin + 2 * kMarginUnderflow * per_margin;
-    // Comparisons with what is no number are false: nothing is certain then.
+    // Comparisons with NaN are false, and leave it undecided.
     if (ahead - error > length_ * (margin + room)) return Verdict::shadowed;
     if (ahead + error < length_ * (margin - room)) return Verdict::lit;
     return Verdict::undecided;

@@ -1,15 +1,16 @@
-// zbuffer.cpp - which points can a light not see?
+// zbuffer.cpp - finds which points are shadowed, by the irregular z-buffer.
 #include "irregular/zbuffer.h"
 
 namespace firsthit {
 namespace {
 
-constexpr std::size_t kCellSamples = 768;   // wanted in a cell
-constexpr std::size_t kManySamples = 4096;  // more than these are divided again
-constexpr std::size_t kManyTriangles = 128; // where there are more than these triangles
+constexpr std::size_t kCellSamples = 768; // samples of a cell, on average
+// A cell with more samples and more triangles than these is divided again.
+constexpr std::size_t kManySamples = 4096;
+constexpr std::size_t kManyTriangles = 128;
 
-/// Sorts samples and triangles into about as many cells as give each its share of samples, fewer
-/// where large triangles would be copied too often.
+/// Sorts samples and triangles into cells of about kCellSamples samples; into fewer cells if large
+/// triangles would be copied too often.
 void sort_into_cells(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     std::span<const SampleRange> sample_ranges, std::size_t sample_count,
     std::span<const ProjectedTriangle> triangles, std::span<const SampleRange> triangle_ranges,
@@ -36,7 +37,7 @@ bool should_divide(const IrregularCells& cells, std::size_t cell)
            cells.bins.of(cell).size() > kManyTriangles;
 }
 
-/// A cell by itself, or divided into smaller ones.
+/// Tests the samples of a cell, or divides the cell and tests the smaller ones.
 void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
     const IrregularCells& cells, std::size_t cell, int level, const PencilPoints& points,
     CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
@@ -58,7 +59,7 @@ void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
     const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
     sort_into_cells(mesh, samples, {&all_samples, 1}, samples.size(), triangles,
         {&all_triangles, 1}, bounds, inner, serial);
-    if (inner.grid.cells() == 1) { // all in one place
+    if (inner.grid.cells() == 1) { // all samples have the same x and y
         test_cell(
             mesh, {samples, bounds, triangles, occluders.span()}, points, worker.kernel, shadowed);
         return;
@@ -67,7 +68,8 @@ void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
         test_or_divide_cell(mesh, occluders, inner, k, level + 1, points, worker, serial, shadowed);
 }
 
-/// Takes the patches out that one triangle shadows.
+/// Divides the patches into those that one triangle shadows as a whole (memory.occluded) and the
+/// others (memory.remaining).
 void find_occluded_patches(const PencilMesh& mesh, std::span<const SamplePatch> patches,
     const SampleBounds& bounds, const PencilPoints& points, IrregularMemory& memory, Tasks& tasks)
 {
@@ -94,13 +96,14 @@ void find_occluded_patches(const PencilMesh& mesh, std::span<const SamplePatch> 
     memory.remaining.resize(remaining);
 }
 
-/// The samples that are to be sorted.
+/// The samples that are to be sorted into cells, memory.loose.
 struct LooseSamples {
     std::size_t count = 0;
     SampleBounds bounds;
 };
 
-/// Splits the patches that are left into those that stay together and samples to be sorted.
+/// Divides memory.remaining into compact patches, which stay together (memory.patches), and samples
+/// that are to be sorted into cells (memory.loose).
 LooseSamples split_patches(
     const SampleBounds& bounds, std::size_t triangles, bool keep_compact, IrregularMemory& memory)
 {
@@ -112,7 +115,7 @@ LooseSamples split_patches(
         all += patch.range.count;
         if (compact(patch)) compact_samples += patch.range.count;
     }
-    // For few samples it does not pay to look at all triangles once more.
+    // Binning the triangles into patches as well as into cells pays only for enough samples.
     const bool worth_it = 4 * compact_samples > all;
 
     LooseSamples left;
@@ -133,12 +136,14 @@ LooseSamples split_patches(
     return left;
 }
 
-/// Every worker gets room for the largest patch and cell, whoever takes which.
+/// Gives every worker room for the largest patch and cell, so that nothing is allocated later on,
+/// whichever worker takes it.
 void prepare_workers(IrregularMemory& memory, int threads)
 {
     while (int(memory.workers.size()) < threads)
         memory.workers.push_back(std::make_unique<CellWorker>());
-    std::size_t samples = kManySamples, triangles = 0; // of the largest that is tested, divided
+    std::size_t samples = kManySamples; // of the largest cell or patch that is tested
+    std::size_t triangles = 0;          // of the largest cell that is divided
     for (const SamplePatch& patch : memory.patches.patches.span())
         samples = std::max(samples, patch.range.count);
     std::size_t divided = 0;
@@ -183,7 +188,7 @@ void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
     const auto ranges = memory.triangle_ranges.span();
     LooseSamples loose = split_patches(bounds, count, true, memory);
     if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
-        // Too many large triangles: everything is sorted, into as few cells as need be.
+        // There are too many large triangles: sort all samples, into as few cells as necessary.
         loose = split_patches(bounds, count, false, memory);
         bin_patches(triangles, ranges, bounds, memory.patches, tasks);
     }

@@ -1,5 +1,6 @@
-// grid_layers_test.cpp - exact shadows where the grid of samples takes short cuts: layers behind all
-// samples, samples that one wide face sees, places that are coarser than the roundings before them.
+// grid_layers_test.cpp - exact shadows where the grid of samples takes short cuts: layers behind
+// all samples, samples that one wide face sees, places that are coarser than the roundings before
+// them.
 #include "irregular/wavy_layers.h"
 
 #include <gtest/gtest.h>

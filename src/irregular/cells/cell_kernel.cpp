@@ -1,4 +1,5 @@
-// cell_kernel.cpp - tests the samples of one cell of the irregular z-buffer against the cell's triangles.
+// cell_kernel.cpp - tests the samples of one cell of the irregular z-buffer against the cell's
+// triangles.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/cells/cell_kernel.cpp"
 #include "base/simd.h"
@@ -26,8 +27,8 @@ struct SlotRegister {
     alignas(64) std::int32_t slot[5][kGroup];
 };
 
-/// Fills in the slots of the first sixteen triangles, or of all if there are fewer: the lanes after the
-/// last one are garbage. Returns a bit for each triangle, set if it may be hit (may_hit).
+/// Fills in the slots of the first sixteen triangles, or of all if there are fewer: the lanes after
+/// the last one are garbage. Returns a bit for each triangle, set if it may be hit (may_hit).
 HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles,
     const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& found)
 {

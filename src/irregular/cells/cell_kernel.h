@@ -1,8 +1,9 @@
-// cell_kernel.h - tests the samples of one cell of the irregular z-buffer, up to a few thousand, against
-// the cell's triangles.
+// cell_kernel.h - tests the samples of one cell of the irregular z-buffer, up to a few thousand,
+// against the cell's triangles.
 //
-// Samples are copied into groups of up to sixteen. A table says which groups a triangle's box overlaps;
-// a float filter (set_up-inl.h) tests these groups, and what it cannot decide goes to is_shadowed.
+// Samples are copied into groups of up to sixteen. A table says which groups a triangle's box
+// overlaps; a float filter (set_up-inl.h) tests these groups, and what it cannot decide goes to
+// is_shadowed.
 #pragma once
 
 #include "base/buffer.h"
@@ -49,9 +50,10 @@ struct TestCounts {
 inline constexpr int kGroup = 16;     // lanes of a group; it has up to as many samples
 inline constexpr int kCellBatch = 64; // triangles that are set up together
 
-/// Triangles that are set up for one cell, structure of arrays. Edges and w are affine functions of a
-/// sample's offset (x, y) from the cell's middle: edge k is gx[k] x + gy[k] y + c[k], positive inside the
-/// triangle and scaled so that it is at most 1 in size over the cell; w is wx x + wy y + wc.
+/// Triangles that are set up for one cell, structure of arrays. Edges and w are affine functions of
+/// a sample's offset (x, y) from the cell's middle: edge k is gx[k] x + gy[k] y + c[k], positive
+/// inside the triangle and scaled so that it is at most 1 in size over the cell; w is wx x + wy y +
+/// wc.
 struct CellBatch {
     int count = 0;
     alignas(64) std::uint32_t triangle[kCellBatch];
@@ -70,8 +72,8 @@ struct GroupBox {
     float side[4];
 };
 
-/// One worker's memory. While a cell is tested it holds the cell's samples in groups of kGroup lanes.
-/// The lanes after a group's last sample lie where its first sample lies, with infinite w.
+/// One worker's memory. While a cell is tested it holds the cell's samples in groups of kGroup
+/// lanes. The lanes after a group's last sample lie where its first sample lies, with infinite w.
 struct CellKernelMemory {
     Buffer<float> x, y, w;         // (groups, kGroup) x and y are offsets from the cell's middle
     Buffer<std::uint32_t> item;    // (groups, kGroup) undefined for groups without has_item
@@ -90,14 +92,14 @@ struct CellKernelMemory {
     float middle_x = 0, middle_y = 0;
     double half_x = 0, half_y = 0;   // the largest |x| and |y| of an offset
     double error_x = 0, error_y = 0; // of a sample's x and y, because they are rounded
-    /// Bounds of the margins over c (over 1 in a parallel pencil) of all samples. A triangle adds the
-    /// corner terms times its largest coordinate (corner_margin).
+    /// Bounds of the margins over c (over 1 in a parallel pencil) of all samples. A triangle adds
+    /// the corner terms times its largest coordinate (corner_margin).
     double least_margin = 0, largest_margin = 0;
     double least_corner = 0, largest_corner = 0;
 };
 
-/// An upper bound of the number of groups that so many samples make: any two consecutive groups have
-/// more than kGroup samples together.
+/// An upper bound of the number of groups that so many samples make: any two consecutive groups
+/// have more than kGroup samples together.
 inline std::size_t most_groups(std::size_t samples)
 {
     return samples / (kGroup / 2) + 2;

@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Tests the samples of a group whose bits are set in `open` with is_shadowed, one at a time. Returns
-/// the bits of those that are shadowed.
+/// Tests the samples of a group whose bits are set in `open` with is_shadowed, one at a time.
+/// Returns the bits of those that are shadowed.
 HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
     std::span<const IrregularSample> samples, const PencilPoints& points, std::uint32_t triangle,
     std::size_t group, std::uint32_t open, CellKernelMemory& kernel)
@@ -46,8 +46,8 @@ struct CellTest {
     float edge_error; // cell_edge_error
 };
 
-/// The items of a group's samples, kNoItem after the last one. They are loaded the first time that they
-/// are needed, because most groups never need them.
+/// The items of a group's samples, kNoItem after the last one. They are loaded the first time that
+/// they are needed, because most groups never need them.
 HWY_INLINE const std::uint32_t* items_of(
     const CellTest& cell, std::size_t group, CellKernelMemory& kernel)
 {
@@ -117,8 +117,8 @@ HWY_INLINE void test_groups(
     }
 }
 
-/// Removes the groups of a chunk that lie wholly outside of an edge of triangle i. Worth its cost for a
-/// triangle whose box overlaps many groups, such as a long thin one across the cell.
+/// Removes the groups of a chunk that lie wholly outside of an edge of triangle i. Worth its cost
+/// for a triangle whose box overlaps many groups, such as a long thin one across the cell.
 HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t chunk,
     std::uint64_t groups, const CellKernelMemory& kernel)
 {

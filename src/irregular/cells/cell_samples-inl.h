@@ -1,5 +1,5 @@
-// cell_samples-inl.h - copies the samples of one cell of the irregular z-buffer into groups, and computes
-// the cell's frame and error bounds.
+// cell_samples-inl.h - copies the samples of one cell of the irregular z-buffer into groups, and
+// computes the cell's frame and error bounds.
 #if defined(FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_
 #undef FIRSTHIT_IRREGULAR_CELLS_CELL_SAMPLES_INL_H_
@@ -68,10 +68,10 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
     kernel.largest_corner = double(kShadowMargin) * most_w * (1 + 0x1p-20);
 }
 
-/// How many of the next sixteen samples make a group. Reads seventeen samples. The 4x4 samples of one
-/// square of pixels have consecutive ids (base/tile_order.h), and the group ends before a square that
-/// would not fit into it wholly. This presumes rising ids; for others the result is any number from 1
-/// to 16, which is correct, but boxes of groups may be larger.
+/// How many of the next sixteen samples make a group. Reads seventeen samples. The 4x4 samples of
+/// one square of pixels have consecutive ids (base/tile_order.h), and the group ends before a
+/// square that would not fit into it wholly. This presumes rising ids; for others the result is any
+/// number from 1 to 16, which is correct, but boxes of groups may be larger.
 HWY_INLINE std::size_t group_size(const IrregularSample* samples)
 {
     const auto square = [&](std::size_t k) { return samples[k].id / kGroup; };
@@ -135,8 +135,8 @@ HWY_INLINE void store_box(const GroupBounds& bounds, float* box)
 #endif
 }
 
-/// Finds the slots of groups' boxes. The result is that of Slots::of, but without branches, which would
-/// be mispredicted.
+/// Finds the slots of groups' boxes. The result is that of Slots::of, but without branches, which
+/// would be mispredicted.
 class GroupSlots {
   public:
     static constexpr int kSides = 4;
@@ -180,8 +180,8 @@ class GroupSlots {
     alignas(16) float start_[kSides], scale_[kSides];
 };
 
-/// Copies `count` samples to a group, as offsets from the middle. The lanes after them get the position
-/// of the first sample and an infinite w, which no triangle shadows.
+/// Copies `count` samples to a group, as offsets from the middle. The lanes after them get the
+/// position of the first sample and an infinite w, which no triangle shadows.
 /// from  kGroup samples are read
 HWY_INLINE GroupBounds copy_group(
     const IrregularSample* from, std::size_t count, std::size_t group, CellKernelMemory& kernel)

@@ -1,4 +1,5 @@
-// cells.cpp - sorts samples and triangles into the cells of a grid, by counting sorts in three passes.
+// cells.cpp - sorts samples and triangles into the cells of a grid, by counting sorts in three
+// passes.
 #include "irregular/cells/cells.h"
 
 #include <cmath>
@@ -26,8 +27,8 @@ std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint3
 
 namespace {
 
-/// Calls f(k, length) for runs of samples that are all in one cell: for sixteen samples together where
-/// they are, which is the most frequent case, else for each sample.
+/// Calls f(k, length) for runs of samples that are all in one cell: for sixteen samples together
+/// where they are, which is the most frequent case, else for each sample.
 template <class F>
 void for_runs(const std::uint16_t* cell, std::size_t count, const F& f)
 {
@@ -112,8 +113,8 @@ namespace {
 constexpr int kManyCells =
     9; // a box over fewer cells is copied to all of them, without an EdgeTest
 
-/// Finds cells that lie outside of an edge of a projected triangle. Corners and samples are rounded, so
-/// each edge is moved outwards by kTolerance times the largest coordinate.
+/// Finds cells that lie outside of an edge of a projected triangle. Corners and samples are
+/// rounded, so each edge is moved outwards by kTolerance times the largest coordinate.
 class EdgeTest {
   public:
     EdgeTest(const PencilMesh& mesh, std::uint32_t triangle, const CellGrid& grid)

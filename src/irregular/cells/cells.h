@@ -11,9 +11,10 @@
 
 namespace firsthit {
 
-/// A grid over a rectangle of the face: column = (x - x0) * scale_x, row = (y - y0) * scale_y, clamped to
-/// the grid. These functions are monotonic and the same for samples and for triangles' boxes, so a
-/// triangle's cells include the cell of every sample in its box, whatever the roundings.
+/// A grid over a rectangle of the face: column = (x - x0) * scale_x, row = (y - y0) * scale_y,
+/// clamped to the grid. These functions are monotonic and the same for samples and for triangles'
+/// boxes, so a triangle's cells include the cell of every sample in its box, whatever the
+/// roundings.
 struct CellGrid {
     float x0 = 0, y0 = 0;           // the corner of the rectangle
     float scale_x = 0, scale_y = 0; // cells per unit of the face
@@ -27,8 +28,8 @@ struct CellRect {
     std::uint8_t column0, row0, column1, row1;
 };
 
-/// cell[k] = the cell of sample from[k]. Writes whole registers; up to 15 entries past the last one are
-/// garbage.
+/// cell[k] = the cell of sample from[k]. Writes whole registers; up to 15 entries past the last one
+/// are garbage.
 void find_sample_cells(
     const CellGrid& grid, std::span<const IrregularSample> from, std::uint16_t* cell);
 
@@ -70,9 +71,10 @@ struct IrregularCells {
 void sort_samples(std::span<const IrregularSample> from, std::span<const SampleRange> ranges,
     IrregularCells& cells, Tasks& tasks);
 
-/// Fills in cells.bins for cells.grid and cells.bounds: each triangle that may be hit (may_hit) is copied
-/// to all cells that its box overlaps; for boxes over many cells, to those that do not lie outside of
-/// an edge. Returns false, and sorts nothing, if that took too many copies (bin_triangles).
+/// Fills in cells.bins for cells.grid and cells.bounds: each triangle that may be hit (may_hit) is
+/// copied to all cells that its box overlaps; for boxes over many cells, to those that do not lie
+/// outside of an edge. Returns false, and sorts nothing, if that took too many copies
+/// (bin_triangles).
 /// ranges  of indices into `from`
 bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> from,
     std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks);

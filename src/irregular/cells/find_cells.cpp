@@ -36,8 +36,8 @@ struct SampleRegister {
     }
 };
 
-/// The columns or rows of a register of coordinates as floats in [0, count - 1], to be truncated. 0 for
-/// NaN.
+/// The columns or rows of a register of coordinates as floats in [0, count - 1], to be truncated. 0
+/// for NaN.
 template <class V>
 HWY_INLINE V cell_along(V v, float start, float scale, int count)
 {

@@ -1,4 +1,5 @@
-// occluded_samples.cpp - finds patches and cells of samples that one large triangle shadows as a whole.
+// occluded_samples.cpp - finds patches and cells of samples that one large triangle shadows as a
+// whole.
 #include "irregular/cells/occluded_samples.h"
 
 #include "irregular/cells/shadowed_box.h"

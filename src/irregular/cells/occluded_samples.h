@@ -1,5 +1,5 @@
-// occluded_samples.h - finds patches and cells of samples that one large triangle, such as a roof or a
-// wall, shadows as a whole.
+// occluded_samples.h - finds patches and cells of samples that one large triangle, such as a roof
+// or a wall, shadows as a whole.
 #pragma once
 
 #include "irregular/mesh/face_occluders.h"

@@ -1,9 +1,9 @@
-// overlap_table.h - finds which of up to 64 boxes a triangle's box may overlap, by five table lookups
-// instead of 64 tests.
+// overlap_table.h - finds which of up to 64 boxes a triangle's box may overlap, by five table
+// lookups instead of 64 tests.
 //
-// Each axis (x, y and depth w) is cut into 32 slots. For each slot, bit masks tell which boxes begin at
-// or before it and which end at or after it; the boxes that overlap an interval on all axes are the
-// `and` of five masks.
+// Each axis (x, y and depth w) is cut into 32 slots. For each slot, bit masks tell which boxes
+// begin at or before it and which end at or after it; the boxes that overlap an interval on all
+// axes are the `and` of five masks.
 #pragma once
 
 #include "irregular/mesh/pencil_mesh.h"
@@ -18,8 +18,8 @@ namespace firsthit {
 inline constexpr int kSlots = 32;      // slots of an axis
 inline constexpr int kTableBoxes = 64; // boxes of a table: a bit each
 
-/// Maps a coordinate to a slot, monotonically. Coordinates outside of [low, high] go to the first or the
-/// last slot.
+/// Maps a coordinate to a slot, monotonically. Coordinates outside of [low, high] go to the first
+/// or the last slot.
 struct Slots {
     float start = 0, scale = 0;
 
@@ -97,8 +97,8 @@ class OverlapTable {
         }
     }
 
-    /// The open boxes that the triangle may overlap in x and y without being behind all their samples.
-    /// A box that it does overlap is never left out.
+    /// The open boxes that the triangle may overlap in x and y without being behind all their
+    /// samples. A box that it does overlap is never left out.
     std::uint64_t of(const TriangleSlots& s) const
     {
         return from_x_[s.slot[2]] & to_x_[s.slot[0]] & from_y_[s.slot[3]] & to_y_[s.slot[1]] &

@@ -13,8 +13,8 @@ bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t t
     const double whole = area(all);
     const double share = whole > 0 ? area(patch.bounds) / whole : 0;
     const double count = double(patch.range.count);
-    // Measured: testing a patch as it is pays if it has at most 1/16 as many triangles as samples, the
-    // triangles being estimated by the patch's share of the area.
+    // Measured: testing a patch as it is pays if it has at most 1/16 as many triangles as samples,
+    // the triangles being estimated by the patch's share of the area.
     return share * double(triangles) <= count / 16;
 }
 

@@ -1,5 +1,6 @@
-// patches.h - patches of samples: samples that came together, from one tile of the picture, and mostly
-// lie close together on the face too. A compact patch is tested as it is; only the triangles are sorted.
+// patches.h - patches of samples: samples that came together, from one tile of the picture, and
+// mostly lie close together on the face too. A compact patch is tested as it is; only the triangles
+// are sorted.
 #pragma once
 
 #include "irregular/mesh/bin_triangles.h"
@@ -29,8 +30,8 @@ struct PatchMemory {
     TriangleBins bins;           // by patch
 };
 
-/// Fills in memory.bins for memory.patches: each triangle is copied to all patches to whose samples a ray
-/// may hit it (may_hit). Returns false, and sorts nothing, if that took too many copies
+/// Fills in memory.bins for memory.patches: each triangle is copied to all patches to whose samples
+/// a ray may hit it (may_hit). Returns false, and sorts nothing, if that took too many copies
 /// (bin_triangles).
 ///
 /// ranges  of indices into `from`

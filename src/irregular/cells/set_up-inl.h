@@ -1,17 +1,18 @@
-// set_up-inl.h - sets up the edges and the depth of a batch of triangles for a cell, one triangle a lane.
+// set_up-inl.h - sets up the edges and the depth of a batch of triangles for a cell, one triangle a
+// lane.
 //
-// Everything is computed in double and rounded to float once. (x, y) is a sample's offset from the cell's
-// middle, |x| <= hx, |y| <= hy, and u = 2^-24 is the relative error of a float.
+// Everything is computed in double and rounded to float once. (x, y) is a sample's offset from the
+// cell's middle, |x| <= hx, |y| <= hy, and u = 2^-24 is the relative error of a float.
 //
-// Edges. An edge function e = c + gx x + gy y is scaled so that |c| + hx |gx| + hy |gy| = 1, so |e| <= 1
-// in the cell. The errors of e are at most
-//     7 u                                     rounding c, gx, gy, x and y, and evaluating, fused or not
-//     max(error_x / hx, error_y / hy)         the errors of the sample's own coordinates
-//     u                                       the roundings in double. Where they might be larger, the
-//                                             triangle gets edges of 0: all its samples are decided
-//                                             by the exact test
-// Together these are cell_edge_error. A sample is certainly inside above it and certainly outside below
-// its negative.
+// Edges. An edge function e = c + gx x + gy y is scaled so that |c| + hx |gx| + hy |gy| = 1, so that
+// |e| <= 1 in the cell. The errors of e are at most
+//     7 u                                   rounding c, gx, gy, x, y, and evaluating, fused or not
+//     max(error_x / hx, error_y / hy)       the errors of the sample's own coordinates
+//     u                                     the roundings in double. Where they might be larger, the
+//                                           triangle gets edges of 0: the exact test decides all of
+//                                           its samples
+// Together these are cell_edge_error. A sample is certainly inside above it and certainly outside
+// below its negative.
 //
 // Depth. w = wc + wx x + wy y. With B = |wc| + hx |wx| + hy |wy| its errors are at most
 //     8 u B                                   the same roundings
@@ -23,7 +24,8 @@
 //     w(triangle) - w(sample) > K s,    |N| = |N.x| + |N.y| + |N.z|
 //     pencil with an origin:  K = |N| / |N . v0|,  s = margins / c
 //     parallel pencil:        K = |N| / |N.c|,     s = margins
-// The bounds shadowed_from and lit_below take the largest and the least s of the cell, and the errors.
+// The bounds shadowed_from and lit_below take the largest and the least s of the cell, and the
+// errors.
 #if defined(FIRSTHIT_IRREGULAR_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_SET_UP_INL_H
 #undef FIRSTHIT_IRREGULAR_SET_UP_INL_H
@@ -70,8 +72,8 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
         return hn::Add(hn::Abs(at), hn::Add(hn::Mul(hx, hn::Abs(x)), hn::Mul(hy, hn::Abs(y))));
     };
 
-    // The planes through the rays' common point and each edge. The rays of a parallel pencil hit the same
-    // triangles as those of a pencil with an origin if all corners have c = 1.
+    // The planes through the rays' common point and each edge. The rays of a parallel pencil hit
+    // the same triangles as those of a pencil with an origin if all corners have c = 1.
     const auto pencil = [&](const Vector3<V>& v) {
         return directional ? Vector3<V>{v.x, v.y, one} : v;
     };
@@ -144,8 +146,8 @@ HWY_INLINE void set_up_cell_lanes(D d, bool directional, CellKernelMemory& kerne
         hn::Add(hn::Set(d, kernel.least_margin), hn::Mul(hn::Set(d, kernel.least_corner), corner));
     const V most = hn::Add(hn::Mul(hn::Add(k, k_error), most_margin), error);
     const V least = hn::Sub(hn::Mul(hn::Sub(k, k_error), least_margin), error);
-    // Nothing is certain if the divisor might have any value, or if a float would overflow: in a small
-    // cell the slopes of w may be far larger than w.
+    // Nothing is certain if the divisor might have any value, or if a float would overflow: in a
+    // small cell the slopes of w may be far larger than w.
     const auto fits = [&](const V& v) { return hn::Lt(v, u(0x1p120)); };
     const auto floats =
         hn::And(hn::And(fits(size), fits(most)), hn::And(fits(hn::Abs(wx)), fits(hn::Abs(wy))));

@@ -1,14 +1,15 @@
-// shadowed_box.cpp - decides whether one triangle, or two that share an edge, certainly shadow everything
-// inside a box of the face.
+// shadowed_box.cpp - decides whether one triangle, or two that share an edge, certainly shadow
+// everything inside a box of the face.
 //
 // One triangle does if, at the four corners of the box, all its edge functions are positive and its
-// plane is nearer to the origin than the nearest point by more than the margin. The corners suffice,
-// because edges and depth are affine. All is computed in double; where roundings might change a sign,
-// the answer is "not certain", for instance if the origin lies nearly in the triangle's plane.
+// plane is nearer to the origin than the nearest point by more than the margin. The corners
+// suffice, because edges and depth are affine. All is computed in double; where roundings might
+// change a sign, the answer is "not certain", for instance if the origin lies nearly in the
+// triangle's plane.
 //
-// Two triangles with a common edge: a ray that is inside of their other four edges hits one of the two,
-// because it lies on one side or the other of the common edge, and the exact sign of that edge is
-// the same number for both.
+// Two triangles with a common edge: a ray that is inside of their other four edges hits one of the
+// two, because it lies on one side or the other of the common edge, and the exact sign of that edge
+// is the same number for both.
 #include "irregular/cells/shadowed_box.h"
 
 #include <glm/geometric.hpp>
@@ -28,8 +29,8 @@ struct FacePoint {
     double x, y;
 };
 
-/// The corners of the bounds, moved outwards by more than the roundings of samples' coordinates, which
-/// may also have underflowed to 0.
+/// The corners of the bounds, moved outwards by more than the roundings of samples' coordinates,
+/// which may also have underflowed to 0.
 std::array<FacePoint, 4> corners_of(const SampleBounds& b)
 {
     const auto out = [](float v) { return 0x1p-22 * std::abs(double(v)) + 0x1p-140; };
@@ -38,7 +39,8 @@ std::array<FacePoint, 4> corners_of(const SampleBounds& b)
     return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}};
 }
 
-/// A computed value, and the size that its rounding errors are relative to: the sum of its terms' sizes.
+/// A computed value, and the size that its rounding errors are relative to: the sum of its terms'
+/// sizes.
 struct Rounded {
     double value = 0, size = 0;
 
@@ -62,16 +64,16 @@ Rounded dot(const RoundedVector& n, const dvec3& p)
     return {glm::dot(n.value, p), glm::dot(n.size, glm::abs(p))};
 }
 
-/// The cross product of two corners. Each component is the difference of two products of floats, which
-/// are exact in double, so that it is rounded once.
+/// The cross product of two corners. Each component is the difference of two products of floats,
+/// which are exact in double, so that it is rounded once.
 RoundedVector corner_product(const dvec3& a, const dvec3& b)
 {
     const dvec3 n = glm::cross(a, b);
     return {n, glm::abs(n)};
 }
 
-/// Whether the triangle certainly shadows all points inside the bounds that are on the inner side of edge
-/// number `open`; this edge alone is not tested (3: all edges are). Returns the sign of the
+/// Whether the triangle certainly shadows all points inside the bounds that are on the inner side
+/// of edge number `open`; this edge alone is not tested (3: all edges are). Returns the sign of the
 /// triangle's volume (volume_sign) if so, else 0.
 int shadowing_side(const PencilSpace& space, const CubeFace& face, const Corners& corners,
     std::size_t open, const SampleBounds& bounds)

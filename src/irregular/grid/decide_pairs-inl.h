@@ -1,10 +1,11 @@
-// decide_pairs-inl.h - pairs of a triangle and a sample that places leave open: edges in float, a pair
-// a lane, then the plane in double, then exactly.
+// decide_pairs-inl.h - decides pairs of a triangle and a sample that quantized coordinates left
+// open: edges in float, one pair a lane; then the plane in double; then the exact test.
 //
-// Edges: e = (b - a) x (p - a) of places (x, y), each off by at most u M, u = 2^-24, M the largest
-// coordinate of the box (point lights; parallel light has no such error). With S = width + height of
-// the box, in which p lies, this moves e by at most 4 u M S + 8 u^2 M^2; differences, products and
-// their difference by 2 u S^2 more, fused or not.
+// Error of an edge e = (b - a) x (p - a), with u = 2^-24 the relative error of a float. In a pencil
+// with an origin, each coordinate is off by at most u M, M being the largest coordinate of the
+// triangle's box. S is width + height of the box, in which p lies. This changes e by at most 4 u M
+// S + 8 u^2 M^2. In a parallel pencil coordinates have no error. Differences, products and the
+// difference of these add at most 2 u S^2, fused or not.
 #if defined(FIRSTHIT_IRREGULAR_GRID_DECIDE_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_GRID_DECIDE_PAIRS_INL_H_
 #undef FIRSTHIT_IRREGULAR_GRID_DECIDE_PAIRS_INL_H_
@@ -29,7 +30,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What one task has at hand.
+/// What one task tests, and its counts.
 struct GridTest {
     const PencilMesh& mesh;
     const SampleGrid& grid;
@@ -38,16 +39,16 @@ struct GridTest {
     TestCounts counts;
 };
 
-/// Triangles and samples that may be shadowed by them, not by their own.
+/// Pairs of a triangle and a sample that it may shadow; the sample does not lie on the triangle.
 struct GridPairs {
     static constexpr std::size_t kMost = 256;
     static constexpr std::size_t kCapacity = kMost + 16;
     std::size_t count = 0;
     std::uint32_t triangle[kCapacity];
-    std::uint32_t sample[kCapacity]; // in the grid's order
+    std::uint32_t sample[kCapacity]; // index in the grid's order
 };
 
-/// Threads may find the same sample shadowed.
+/// Accesses shadowed[id] atomically, because several tasks may find the same sample shadowed.
 HWY_INLINE bool is_marked(const GridTest& test, std::uint32_t id)
 {
     return std::atomic_ref(test.shadowed[id]).load(std::memory_order_relaxed) != 0;
@@ -59,7 +60,7 @@ HWY_INLINE void mark(const GridTest& test, std::uint32_t id)
 
 using Pairs = hn::CappedTag<float, 16>;
 
-/// Corners in the light's space, and samples as the face sees them.
+/// A register of pairs: corners in the pencil's space, and projected samples.
 struct PairLanes {
     alignas(64) float corner[9][16];
     alignas(64) float x[16], y[16], w[16];
@@ -84,8 +85,9 @@ HWY_INLINE void fill_lanes(
     }
 }
 
-/// Pairs whose sample lies inside of all edges, or nearly, and not nearer to the light than all of
-/// the triangle: a bit each in `maybe`, and in `inside` those certainly inside.
+/// Bit k of `maybe` is set unless pair k's sample is certainly outside of an edge, outside of the
+/// box or in front of the whole triangle. Bit k of `inside` is set if the sample is certainly
+/// inside all edges.
 struct Inside {
     std::uint32_t maybe, inside;
 };
@@ -122,7 +124,7 @@ HWY_INLINE Inside inside_edges(const CubeFace& face, const PairLanes& lanes)
         return hn::IfThenElse(hn::Lt(area, hn::Zero(d)), hn::Neg(e), e);
     };
     const V e0 = edge(a, b), e1 = edge(b, c), e2 = edge(c, a), below = hn::Neg(error);
-    // What is no number counts as maybe.
+    // Comparisons with NaN are false, so NaN counts as maybe.
     const auto outside =
         hn::And(sided, hn::Or(hn::Lt(e0, below), hn::Or(hn::Lt(e1, below), hn::Lt(e2, below))));
     const auto within =
@@ -134,7 +136,8 @@ HWY_INLINE Inside inside_edges(const CubeFace& face, const PairLanes& lanes)
     return {std::uint32_t(bits(d, maybe)), std::uint32_t(bits(d, within))};
 }
 
-/// Decides the pairs, and forgets them.
+/// Decides all pairs, marks the samples that are shadowed, and empties the list.
+
 HWY_NOINLINE inline void decide_pairs(GridTest& test, GridPairs& pairs)
 {
     const std::size_t lanes = hn::Lanes(Pairs());

@@ -1,5 +1,5 @@
-// grid_boxes-inl.h - triangles onto a grid of samples, several at a time: their boxes and edges in
-// places.
+// grid_boxes-inl.h - boxes and edges of triangles in quantized coordinates, several triangles a
+// register. quantized_points.h has a worked example.
 #if defined(FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_
 #undef FIRSTHIT_IRREGULAR_GRID_GRID_BOXES_INL_H_
@@ -27,12 +27,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr std::uint64_t kUpperHalf = 0xFFFFFFFF00000000;
 
-/// Batches that are not asked for something: twice as many each time that it is in vain.
+/// Decides for which batches an optional step is tried: after each try that was not worthwhile, it
+/// is skipped for twice as many batches (and one more), up to kLongest.
 struct Backoff {
     static constexpr std::uint32_t kLongest = 15;
     std::uint32_t left = 0, next = 0;
 
-    /// Whether to ask this batch.
+    /// Whether to try the step for this batch.
     bool should_try()
     {
         if (left == 0) return true;
@@ -46,34 +47,37 @@ struct Backoff {
     }
 };
 
-/// Some triangles, and what is known of them. Words are as QuantizedPoint.
+/// A batch of consecutive triangles, numbered from 0 on. Words are those of QuantizedPoint.
 struct GridBoxes {
     static constexpr std::size_t kTriangles = 256;
     static constexpr std::size_t kCapacity = kTriangles + 16;
 
-    std::size_t first = 0; // number of the first one
+    std::size_t first = 0; // index of triangle 0 in the mesh
     alignas(64) std::uint64_t corner[3][kCapacity];
-    // The box; the lowest w is 0. Low is greater than high where the triangle is not to be asked.
+    // The triangle's box. The w of low is 0. low > high for a triangle that no sample is tested
+    // against.
     alignas(64) std::uint64_t low[kCapacity];
     alignas(64) std::uint64_t high[kCapacity];
 
-    /// Edge e of a sample: the sum of x and y of (sample - corner 0) times these, and `beyond`; not
-    /// below 0 where the sample may be inside. Upper halves, lower ones are 0.
+    /// Edge e of a sample is products16(sample - corner 0, normal[e]) + beyond, negative where the
+    /// sample is certainly outside. Edge 1 is opposite of corner 0 and adds beyond_opposite
+    /// instead. The lower halves of these words are 0.
     alignas(64) std::uint64_t normal[3][kCapacity];
-    alignas(64) std::uint64_t beyond[kCapacity];          // of the edges at corner 0
-    alignas(64) std::uint64_t beyond_opposite[kCapacity]; // of the one opposite
+    alignas(64) std::uint64_t beyond[kCapacity];          // edges 0 and 2: the error
+    alignas(64) std::uint64_t beyond_opposite[kCapacity]; // edge 1: the error and twice the area
 
-    Backoff backoff; // of asking for what is behind all samples
+    Backoff backoff; // of remove_behind_samples
 
-    // Which of them
+    // Lists of triangles of the batch.
     std::size_t inside_count = 0, unprojected_count = 0;
     std::uint32_t
-        inside[kCapacity];        // may shadow samples: first all that reach into the samples' box
-    StripRange strips[kCapacity]; // of those in `inside`
-    std::uint32_t unprojected[kCapacity]; // have a corner that is not seen
+        inside[kCapacity]; // may shadow samples; at first all that overlap the samples' bounds
+    StripRange strips[kCapacity];         // of the triangles in `inside`
+    std::uint32_t unprojected[kCapacity]; // with a corner that is behind the face or unusable
 };
 
-/// Appends the numbers from `first` on of the chosen lanes. What is written after them is nothing.
+/// Appends first + k to the list for each chosen lane k. Writes a whole register; entries past
+/// `count` are garbage.
 HWY_INLINE void append(
     std::size_t first, hn::Mask<Words> chosen, std::uint32_t* to, std::size_t& count)
 {
@@ -85,13 +89,14 @@ HWY_INLINE void append(
     count += hn::CountTrue(Words(), chosen);
 }
 
-/// The corners of triangles [first, last), in flip.
+/// Loads the quantized corners of triangles [first, last).
 HWY_INLINE void gather_quantized_corners(
     const PencilMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
 {
     const glm::uvec3* const index = mesh.index.data() + first;
     const QuantizedPoint* const quantized = mesh.quantized.data();
-    constexpr std::size_t kAhead = 128; // triangles whose index is asked for
+    constexpr std::size_t kAhead =
+        128; // triangles: how far ahead of the copy indices are prefetched
     const std::size_t ahead = std::min(kAhead, mesh.index.size() - last);
     for (std::size_t i = 0; i < last - first; ++i) {
         __builtin_prefetch(index + i + ahead);
@@ -100,12 +105,13 @@ HWY_INLINE void gather_quantized_corners(
     }
 }
 
-/// Edges of a register of triangles, as GridBoxes has them.
+/// The edges of a register of triangles; see GridBoxes.
 struct GridEdges {
     Word normal[3];
     Word beyond, beyond_opposite;
 
-    /// from  corner 0 to a sample
+    /// The lanes whose sample is certainly outside of an edge.
+    /// from  sample - corner 0
     HWY_INLINE hn::Mask<Words> outside(Word from) const
     {
         const Word e0 = hn::Add(products16(from, normal[0]), beyond),
@@ -115,13 +121,14 @@ struct GridEdges {
     }
 };
 
-/// The edges of triangles whose boxes are less than 2^14 wide and high: products stay within 32 bits.
-/// Others', and those whose corners lie beyond the grid or whose sides roundings might have changed,
-/// are 0: every sample may be inside.
+/// Computes the edges of a register of triangles. They are 0, so that no sample is outside, where
+///     the box is 2^14 or more wide or high: products would not fit into 32 bits; or
+///     a corner lies beyond the samples' bounds: its quantized coordinate is clamped; or
+///     |area| is not above the error: the triangle might be oriented the other way.
 HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high)
 {
     const Words d;
-    constexpr std::uint64_t kLarge = 0xC000C00000000000; // in x or y: 2^14 and more
+    constexpr std::uint64_t kLarge = 0xC000C00000000000; // the bits of x or y that are 2^14 or more
     const auto set = [&](std::uint64_t v) { return hn::Set(d, v); };
     const Word zero = hn::Zero(d), upper = set(kUpperHalf);
     const Word size = difference16(high, low);
@@ -129,7 +136,7 @@ HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, 
         hn::Or(any16(low, 0, kUpperHalf), any16(high, kQuantizedMax, kUpperHalf));
     const auto unfit = hn::Or(hn::Ne(hn::And(size, set(kLarge)), zero), beyond_grid);
 
-    // The edge from p to q: (-dy, dx).
+    // The normal of the edge from p to q: (-dy, dx).
     const auto normal = [&](Word p, Word q) {
         const Word along = difference16(q, p), dx = hn::ShiftLeft<16>(along),
                    dy = hn::ShiftLeft<32>(hn::ShiftRight<48>(difference16(p, q)));
@@ -137,7 +144,7 @@ HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, 
     };
     const Word n0 = normal(a, b), n1 = normal(b, c), n2 = normal(c, a);
     const Word area = products16(difference16(c, a), n0);
-    // The error (sample_grid.h), in the upper half.
+    // The error bound (SampleGrid::error_shift), in the upper half.
     const Word extent =
         hn::Add(hn::And(hn::ShiftRight<32>(size), set(0xFFFF)), hn::ShiftRight<48>(size));
     const Word two_and_a_half =
@@ -148,15 +155,16 @@ HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, 
     const auto flipped = below_zero(area);
     const Word flip = hn::IfThenElseZero(flipped, upper);
     const Word side = hn::IfThenElse(flipped, hn::Sub(zero, area), area);
-    // |area| > error: no sum here leaves 63 bits.
+    // Only where |area| > error. No sum here leaves the 63 bits of a signed number.
     const auto certain = hn::AndNot(unfit, below_zero(hn::Sub(error, side)));
     const auto kept = [&](Word v) { return hn::IfThenElseZero(certain, v); };
     const auto inward = [&](Word n) { return kept(difference16(hn::Xor(n, flip), flip)); };
     return {{inward(n0), inward(n1), inward(n2)}, kept(error), kept(hn::Add(error, side))};
 }
 
-/// The edges of the eights of triangles whose bits are set.
-HWY_NOINLINE void find_all_edges(const SampleGrid& grid, std::uint32_t groups, GridBoxes& boxes)
+/// Computes the edges of the triangles 8 k to 8 k + 7 for each bit k that is set in `groups`.
+HWY_NOINLINE inline void find_all_edges(
+    const SampleGrid& grid, std::uint32_t groups, GridBoxes& boxes)
 {
     const Words d;
     for (; groups; groups &= groups - 1) {
@@ -172,8 +180,9 @@ HWY_NOINLINE void find_all_edges(const SampleGrid& grid, std::uint32_t groups, G
     }
 }
 
-/// Boxes of triangles [first, last), and which of them reach into that of the samples.
-HWY_NOINLINE void find_boxes(
+/// Computes the boxes of triangles [first, last), and lists those that overlap the samples' bounds
+/// in boxes.inside, and those with a vertex that is not projected in boxes.unprojected.
+HWY_NOINLINE inline void find_boxes(
     const PencilMesh& mesh, std::size_t first, std::size_t last, GridBoxes& boxes)
 {
     const Words d;
@@ -188,7 +197,7 @@ HWY_NOINLINE void find_boxes(
         const auto unprojected = hn::And(given, any16(high, kQuantizedMax, 0xFFFF));
         if (!hn::AllFalse(d, unprojected)) [[unlikely]]
             append(i, unprojected, boxes.unprojected, boxes.unprojected_count);
-        // Above or below all samples on an axis, or farther than all.
+        // The box is beside all samples on an axis, or behind all of them.
         const auto beside =
             hn::Or(any16(high, 0, kUpperHalf | 0xFFFF), any16(low, kQuantizedMax, kUpperHalf));
         const auto inside = hn::AndNot(hn::Or(beside, unprojected), given);
@@ -199,9 +208,10 @@ HWY_NOINLINE void find_boxes(
     }
 }
 
-/// Finds the strips of those inside, and leaves those out that lie behind all samples around them, as
-/// the far side of a body does. Returns a bit for each eight triangles of which some are left.
-HWY_NOINLINE std::uint32_t remove_occluded_behind(const SampleGrid& grid, GridBoxes& boxes)
+/// Finds the strips of the triangles in boxes.inside, and removes the triangles that lie behind all
+/// samples around them, as those on the far side of a body do. Bit k of the result is set if one of
+/// the triangles 8 k to 8 k + 7 is left.
+HWY_NOINLINE inline std::uint32_t remove_behind_samples(const SampleGrid& grid, GridBoxes& boxes)
 {
     static_assert(GridBoxes::kTriangles == 32 * 8);
     std::size_t kept = 0;
@@ -219,14 +229,14 @@ HWY_NOINLINE std::uint32_t remove_occluded_behind(const SampleGrid& grid, GridBo
     return groups;
 }
 
-/// The strips of those inside, of which some are left out, and edges.
+/// Finds strips and edges of the triangles in boxes.inside; removes some that shadow nothing.
 HWY_INLINE void sort_boxes(const SampleGrid& grid, GridBoxes& boxes)
 {
     std::uint32_t groups = 0;
     if (boxes.backoff.should_try()) {
         const std::size_t before = boxes.inside_count;
-        groups = remove_occluded_behind(grid, boxes);
-        // It costs a third of what is done with a triangle that is left.
+        groups = remove_behind_samples(grid, boxes);
+        // Trying costs a third of what a triangle that is left costs.
         boxes.backoff.record(8 * (before - boxes.inside_count) >= before);
     } else {
         for (std::size_t k = 0; k < boxes.inside_count; ++k) {

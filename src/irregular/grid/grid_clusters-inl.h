@@ -1,6 +1,6 @@
-// grid_clusters-inl.h - eight triangles that follow each other, and lie near each other, onto a grid of
-// samples together: the samples in the box around all are looked up once, and each of the few is
-// asked of all eight, a triangle a lane.
+// grid_clusters-inl.h - tests clusters of eight consecutive triangles, which mostly lie close
+// together, against the sample grid: the samples in the box around all eight are looked up once,
+// and each is tested against all eight triangles, one triangle a lane.
 #if defined(FIRSTHIT_IRREGULAR_GRID_GRID_CLUSTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_GRID_GRID_CLUSTERS_INL_H_
 #undef FIRSTHIT_IRREGULAR_GRID_GRID_CLUSTERS_INL_H_
@@ -22,28 +22,28 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The clusters of one batch of boxes.
+/// The clusters of one batch of triangles.
 struct GridClusters {
     static constexpr std::size_t kSize = 8; // triangles
     static constexpr std::size_t kClusters = GridBoxes::kTriangles / kSize;
-    static constexpr std::uint32_t kMostSamples = 96; // with those beside the box
+    static constexpr std::uint32_t kMostSamples = 96; // in the runs, including those beside the box
 
     struct Cluster {
-        std::uint64_t low, high; // the box around all
-        std::uint32_t first;     // of the boxes
+        std::uint64_t low, high; // the box around the boxes of all eight triangles
+        std::uint32_t first;     // number of the first triangle in the batch
         GridRun run[2];
     };
     std::size_t count = 0;
     Cluster cluster[kClusters + 1];
     Backoff backoff;
 
-    // Of one cluster: samples in its box, and those that some triangles may shadow.
+    // Of one cluster: the samples in its box, and the triangles that may shadow each of them.
     static constexpr std::size_t kCapacity = kMostSamples + 2 * kSize;
     std::uint32_t sample[kCapacity];
-    std::uint8_t found[kCapacity]; // triangles, a bit each
+    std::uint8_t found[kCapacity]; // bit k: triangle k of the cluster
 };
 
-/// The least and the greatest of eight boxes from number i on.
+/// The box around the boxes of triangles i to i + 7.
 HWY_INLINE void box_around(
     const GridBoxes& boxes, std::size_t i, std::uint64_t& box_low, std::uint64_t& box_high)
 {
@@ -70,8 +70,9 @@ HWY_INLINE void box_around(
     box_high = hn::GetLane(high);
 }
 
-/// Looks up the samples around all clusters of the boxes. The triangles of those that reach over too
-/// many are left in boxes.inside. Returns how many clusters these are.
+/// Looks up the samples around each cluster of the batch. Clusters that lie behind all samples
+/// around them are dropped. The triangles of clusters that overlap more than two strips or too many
+/// samples are left in boxes.inside, to be tested one by one. Returns the number of those clusters.
 HWY_NOINLINE std::size_t test_clusters(
     const SampleGrid& grid, std::size_t triangles, GridBoxes& boxes, GridClusters& clusters)
 {
@@ -81,7 +82,7 @@ HWY_NOINLINE std::size_t test_clusters(
     for (std::size_t i = 0; i < triangles; i += GridClusters::kSize) {
         GridClusters::Cluster& to = clusters.cluster[clusters.count];
         box_around(boxes, i, to.low, to.high);
-        if (to.low > to.high) continue; // around nothing
+        if (to.low > to.high) continue; // no triangle of the cluster overlaps the samples' bounds
         to.first = std::uint32_t(i);
         const StripRange strips = strips_of(grid, to.low, to.high);
         const GridRun run = run_of(grid, strips.first, to.low, to.high);
@@ -109,8 +110,9 @@ HWY_NOINLINE std::size_t test_clusters(
     return wide;
 }
 
-/// The samples in a cluster's box. Returns how many. Their numbers are compressed, not their words: that
-/// would copy a table to the stack each time.
+/// Fills in clusters.sample with the samples inside the cluster's box. Returns how many there are.
+/// The code compresses indices instead of words, because Highway's compress of words copies a table
+/// to the stack each time.
 HWY_INLINE std::size_t choose_samples(
     const SampleGrid& grid, const GridClusters::Cluster& cluster, GridClusters& clusters)
 {
@@ -131,7 +133,8 @@ HWY_INLINE std::size_t choose_samples(
     return count;
 }
 
-/// Asks each chosen sample of the triangles of a cluster.
+/// Tests the chosen samples against the triangles of a cluster: bit k of clusters.found[s] is set
+/// if triangle k may shadow sample s and is not the triangle that the sample lies on.
 HWY_INLINE void test_samples(const SampleGrid& grid, const GridBoxes& boxes, std::size_t first,
     std::size_t count, GridClusters& clusters)
 {
@@ -157,7 +160,7 @@ HWY_INLINE void test_samples(const SampleGrid& grid, const GridBoxes& boxes, std
     }
 }
 
-/// Tests all clusters that were looked up.
+/// Tests all clusters that were looked up, and adds the pairs that are left to `pairs`.
 HWY_NOINLINE void test_clusters(
     GridTest& test, const GridBoxes& boxes, GridClusters& clusters, GridPairs& pairs)
 {

@@ -1,4 +1,4 @@
-// grid_runs.h - where on a grid of samples (sample_grid.h) lie those that a box holds?
+// grid_runs.h - looks up the samples of a sample grid (sample_grid.h) that a box may contain.
 #pragma once
 
 #include "irregular/grid/sample_grid.h"
@@ -9,24 +9,24 @@
 
 namespace firsthit {
 
-/// The strips of a box, ends included.
+/// The strips that a box overlaps, both ends included.
 struct StripRange {
     std::uint16_t first, last;
 };
 
-/// low, high  of the box: words of QuantizedPoint
+/// low, high  corners of the box: words of QuantizedPoint
 inline StripRange strips_of(const SampleGrid& grid, std::uint64_t low, std::uint64_t high)
 {
     constexpr int kRow = 48 + kStripShift;
     return {grid.strip_of[low >> kRow], grid.strip_of[high >> kRow]};
 }
 
-/// Samples one behind the other.
+/// Consecutive samples [first, last) of the grid.
 struct GridRun {
     std::uint32_t first, last;
 };
 
-/// The samples of a strip that the columns of a box hold.
+/// The samples of strip `number` in the columns that the box overlaps.
 inline GridRun run_of(
     const SampleGrid& grid, std::uint32_t number, std::uint64_t low, std::uint64_t high)
 {
@@ -36,7 +36,8 @@ inline GridRun run_of(
         strip.sample + start[((high >> 32 & 0xFFFF) >> strip.shift) + 1]};
 }
 
-/// Whether what lies in the box is certainly behind all samples around it. Not known of larger ones.
+/// Whether everything in the box is certainly behind all samples around it. Always false for a box
+/// over more than two strips or depth columns.
 inline bool is_behind(
     const SampleGrid& grid, StripRange strips, std::uint64_t low, std::uint64_t high)
 {

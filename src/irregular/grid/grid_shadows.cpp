@@ -1,8 +1,9 @@
-// grid_shadows.cpp - which samples of a grid do triangles shadow?
+// grid_shadows.cpp - tests triangles against the samples of a grid.
 //
-// A triangle looks up the runs of samples that its box meets, mostly one or two, and asks a register
-// of samples at a time, in places: which lie in the box, not before all of the triangle, on the
-// inner side of all edges or nearly, and not on the triangle itself? Few are left, mostly at edges.
+// A triangle looks up the runs of samples that its box overlaps, mostly one or two, and tests a
+// register of samples at a time in quantized coordinates: is the sample in the box, not in front of
+// the whole triangle, not outside of an edge, and is its item another triangle? The few pairs that
+// pass, mostly at edges, are decided in decide_pairs-inl.h.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/grid/grid_shadows.cpp"
 #include "base/simd.h"
@@ -22,15 +23,15 @@ namespace HWY_NAMESPACE {
 namespace {
 
 constexpr std::uint32_t kEight = 8;          // samples that are tested together
-constexpr std::uint32_t kMostSamples = 4096; // what meets more of them is not for the grid
+constexpr std::uint32_t kMostSamples = 4096; // triangles over more samples are left to the cells
 
-/// Triangles that go through the grid together: every step is done for all of them, and what it
-/// leaves is a list for the next one, so that nothing jumps where it is not foreseen.
+/// A batch of triangles. Each step is done for all triangles of the batch and writes a list for the
+/// next step, which avoids branches that are hard to predict.
 struct GridBatch {
-    /// Eight samples that a triangle is tested against.
+    /// A triangle and eight consecutive samples that it is to be tested against.
     struct Candidate {
-        std::uint32_t number; // of the boxes
-        std::uint32_t first;  // sample
+        std::uint32_t number; // of the triangle in the batch
+        std::uint32_t first;  // index of the first sample
     };
     static constexpr std::size_t kMaxCandidates = 4 * GridBoxes::kTriangles;
     static constexpr std::size_t kCapacity = kMaxCandidates + 2;
@@ -41,16 +42,16 @@ struct GridBatch {
     std::size_t candidate_count = 0, second_count = 0, wide_count = 0;
     Candidate candidate[kCapacity];
 
-    // Of the boxes' `inside`
-    std::uint32_t second[GridBoxes::kCapacity];   // those that reach into a second strip
-    std::uint32_t wide[2 * GridBoxes::kCapacity]; // over many strips or samples
+    // Indices into boxes.inside.
+    std::uint32_t second[GridBoxes::kCapacity];   // triangles that overlap a second strip
+    std::uint32_t wide[2 * GridBoxes::kCapacity]; // triangles over many strips or samples
 
-    // Of the meetings
-    std::uint32_t found[kCapacity];     // those some of whose samples may be shadowed
-    std::uint8_t found_bits[kCapacity]; // and which
+    // Of the candidates
+    std::uint32_t found[kCapacity];     // candidates of which a sample may be shadowed
+    std::uint8_t found_bits[kCapacity]; // which of the eight samples
 };
 
-/// The samples that may be shadowed, a bit each.
+/// Bit k is set if the triangle may shadow the candidate's sample k.
 HWY_INLINE std::uint32_t test_candidate(
     const GridTest& test, const GridBoxes& boxes, const GridBatch::Candidate& candidate)
 {
@@ -75,7 +76,8 @@ HWY_INLINE std::uint32_t test_candidate(
     return found;
 }
 
-/// All meetings, which are forgotten.
+/// Tests all candidates, adds the pairs that pass to batch.pairs, and empties the list of
+/// candidates.
 HWY_NOINLINE void test_candidates(GridTest& test, GridBatch& batch)
 {
     std::size_t found = 0;
@@ -100,7 +102,8 @@ HWY_NOINLINE void test_candidates(GridTest& test, GridBatch& batch)
     batch.candidate_count = 0;
 }
 
-/// Adds the samples of a run to the meetings; false where they are too many for that.
+/// Adds the samples of a run to the candidates. Returns false, and adds nothing, if there are more
+/// than 16.
 HWY_INLINE bool add_run(const SampleGrid& grid, std::uint32_t i, GridRun run, GridBatch& batch)
 {
     const std::uint32_t count = run.last - run.first;
@@ -116,8 +119,9 @@ HWY_INLINE bool add_run(const SampleGrid& grid, std::uint32_t i, GridRun run, Gr
     return true;
 }
 
-/// Looks up the samples that all boxes but wide ones meet, over at most two strips: the first strips
-/// of all, then the second ones.
+/// Adds candidates for all triangles that overlap at most two strips and few samples: first those
+/// of all triangles' first strips, then those of the second ones. Lists the other triangles in
+/// batch.wide.
 HWY_NOINLINE void look_up_runs(GridTest& test, GridBatch& batch)
 {
     const SampleGrid& grid = test.grid;
@@ -144,7 +148,8 @@ HWY_NOINLINE void look_up_runs(GridTest& test, GridBatch& batch)
     }
 }
 
-/// The samples that a wide box meets, unless these are too many: then false.
+/// Adds candidates for a triangle over many strips or samples. Returns false, and adds nothing, if
+/// it overlaps more than about kMostSamples samples.
 bool look_up_wide_box(GridTest& test, GridBatch& batch, std::uint32_t k)
 {
     const std::uint32_t i = batch.boxes.inside[k];
@@ -170,7 +175,7 @@ bool look_up_wide_box(GridTest& test, GridBatch& batch, std::uint32_t k)
     return true;
 }
 
-/// The box of a triangle all of whose corners are projected.
+/// The projection of a triangle whose corners are all in front of the face and usable.
 ProjectedTriangle project_triangle(const PencilMesh& mesh, std::uint32_t triangle)
 {
     const Corners corners = mesh.corners(triangle);
@@ -231,7 +236,8 @@ HWY_EXPORT(test_range);
 bool prefers_strips_along_y(
     const PencilMesh& mesh, const CubeFace& face, const SampleBounds& bounds)
 {
-    constexpr std::size_t kAsked = 256, kFar = 8; // triangles, and how far the next one is
+    // Compares kAsked triangles with the one that follows kFar later.
+    constexpr std::size_t kAsked = 256, kFar = 8;
     const std::size_t step = std::max<std::size_t>(1, mesh.index.size() / kAsked);
     float along_x = 0, along_y = 0;
     for (std::size_t t = 0; t + kFar < mesh.index.size(); t += step) {
@@ -241,7 +247,7 @@ bool prefers_strips_along_y(
         project_vertices_to_face(face, corner, 2, projected);
         const float dx = std::abs(projected[1].x - projected[0].x),
                     dy = std::abs(projected[1].y - projected[0].y);
-        if (!std::isfinite(dx + dy)) continue; // one is not projected
+        if (!std::isfinite(dx + dy)) continue; // one of the two corners is not projected
         along_x += dx, along_y += dy;
     }
     return along_y * (bounds.x1 - bounds.x0) > along_x * (bounds.y1 - bounds.y0);

@@ -1,5 +1,6 @@
-// grid_shadows.h - which samples of a grid do triangles shadow? One after the other, in their own
-// order, without being sorted: for meshes of many triangles, each over a few samples.
+// grid_shadows.h - finds the samples of a grid (sample_grid.h) that triangles shadow. The triangles
+// are taken in their own order, without being sorted: for meshes of many triangles, each over a few
+// samples.
 #pragma once
 
 #include "irregular/cells/cell_kernel.h"
@@ -12,22 +13,23 @@
 
 namespace firsthit {
 
-/// One task's counts, on cache lines of their own.
+/// The counts of one task, on a cache line of its own.
 struct alignas(64) GridTestCounts {
     TestCounts counts;
 };
 
-/// Whether triangles with consecutive numbers lie along y more than along x, in shares of the bounds:
-/// then strips along y are read from end to end.
+/// Whether consecutive triangles lie along y rather than along x, relative to the size of the
+/// bounds. Then the grid's strips should lie along y, so that their samples are read in order.
 bool prefers_strips_along_y(
     const PencilMesh& mesh, const CubeFace& face, const SampleBounds& bounds);
 
-/// Tests the triangles that lie over few cells: shadowed[id] = 1 for the samples that these shadow,
-/// no other is written. Exact, as test_cell. The others that may shadow a sample are left in
-/// mesh.in_view and mesh.range_count. Returns how many these are.
+/// Sets shadowed[id] = 1 for the samples that triangles over few samples shadow, and writes no
+/// other element. Exact, as test_cell. The other triangles that may be hit are left in mesh.in_view
+/// and mesh.range_count, to be tested by cells; mesh.projected is not filled in.
 ///
-/// mesh     of the face whose samples are in the grid; quantize_all_vertices has filled in `place`
-/// counts   (threads)
+/// mesh     of the face whose samples are in the grid; quantize_all_vertices was called
+/// counts   (threads) are added to
+/// returns  the number of triangles that are left
 std::size_t test_grid(PencilMesh& mesh, const SampleGrid& grid, const PencilPoints& points,
     std::span<GridTestCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed);
 

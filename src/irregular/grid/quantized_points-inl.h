@@ -1,4 +1,4 @@
-// quantized_points-inl.h - from coordinates to places on a grid of samples (sample_grid.h).
+// quantized_points-inl.h - quantizes coordinates to 16 bits (quantized_points.h).
 #if defined(FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_
 #undef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_POINTS_INL_H_
@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The places of a register of coordinates, whole numbers in 32 bits: at most `last`.
+/// Quantizes a register of coordinates. The results are 32 bits wide and at most `last`.
 template <class V>
 HWY_INLINE auto quantize(const GridAxes::Axis& axis, float last, V v)
 {
@@ -24,10 +24,10 @@ HWY_INLINE auto quantize(const GridAxes::Axis& axis, float last, V v)
     const hn::RebindToSigned<decltype(d)> whole;
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     const V at = hn::Add(hn::Mul(hn::Sub(v, hn::Set(d, axis.start)), hn::Set(d, axis.scale)), one);
-    // Infinite ones on an axis without scale are no numbers: with all samples.
+    // NaN comes from an infinite coordinate on an axis with scale 0: all its samples have 1.
     const V inside = hn::IfThenElse(
         hn::Eq(at, at), hn::IfThenElse(hn::Gt(at, zero), hn::Min(at, hn::Set(d, last)), zero), one);
-    // 2^23 is added, so that the nearest whole number is in the lowest bits.
+    // Adding 2^23 rounds to the nearest whole number, and leaves it in the lowest bits.
     const V shifted = hn::Add(inside, hn::Set(d, 8388608.0f));
     return hn::And(hn::BitCast(whole, shifted), hn::Set(whole, 0xFFFF));
 }

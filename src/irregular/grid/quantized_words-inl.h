@@ -1,5 +1,5 @@
-// quantized_words-inl.h - places on a grid of samples (quantized_points.h) as words of 64 bits, several a
-// register.
+// quantized_words-inl.h - arithmetic with words of four 16-bit numbers (quantized_points.h, which
+// has a worked example), several words a register.
 #if defined(FIRSTHIT_IRREGULAR_GRID_QUANTIZED_WORDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_WORDS_INL_H_
 #undef FIRSTHIT_IRREGULAR_GRID_QUANTIZED_WORDS_INL_H_
@@ -22,7 +22,7 @@ using Words = hn::CappedTag<std::uint64_t, 8>;
 using Word = hn::Vec<Words>;
 
 #if HWY_TARGET == HWY_SCALAR
-/// f of each 16 bits of two words.
+/// f of each of the four 16-bit numbers of two words.
 template <class F>
 HWY_INLINE Word each16(Word a, Word b, const F& f)
 {
@@ -34,7 +34,7 @@ HWY_INLINE Word each16(Word a, Word b, const F& f)
     return hn::Set(Words(), word);
 }
 #else
-/// f of each 16 bits of two registers.
+/// f of all 16-bit numbers of two registers, which f takes as registers of 16-bit lanes.
 template <class F>
 HWY_INLINE Word each16(Word a, Word b, const F& f)
 {
@@ -43,7 +43,7 @@ HWY_INLINE Word each16(Word a, Word b, const F& f)
 }
 #endif
 
-/// The least of each 16 bits.
+/// The minimum of each 16-bit number, unsigned.
 HWY_INLINE Word least16(Word a, Word b)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -53,7 +53,7 @@ HWY_INLINE Word least16(Word a, Word b)
 #endif
 }
 
-/// The greatest of each 16 bits.
+/// The maximum of each 16-bit number, unsigned.
 HWY_INLINE Word greatest16(Word a, Word b)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -63,7 +63,7 @@ HWY_INLINE Word greatest16(Word a, Word b)
 #endif
 }
 
-/// The difference of each 16 bits.
+/// The difference of each 16-bit number, modulo 2^16.
 HWY_INLINE Word difference16(Word a, Word b)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -73,7 +73,8 @@ HWY_INLINE Word difference16(Word a, Word b)
 #endif
 }
 
-/// The words some of whose 16 bits are those of `what`, where `where` has bits.
+/// The words in which a 16-bit number equals `what`. Only the numbers whose bits are set in `where`
+/// count.
 HWY_INLINE hn::Mask<Words> any16(Word v, std::uint16_t what, std::uint64_t where)
 {
     const Words d;
@@ -88,8 +89,8 @@ HWY_INLINE hn::Mask<Words> any16(Word v, std::uint16_t what, std::uint64_t where
     return hn::Ne(hn::And(equal, hn::Set(d, where)), hn::Zero(d));
 }
 
-/// a.x * b.x + a.y * b.y in the upper 32 bits, where x and y are whole numbers with signs in the
-/// upper 16 bits; the lower half of b must be 0.
+/// a.x * b.x + a.y * b.y in the upper 32 bits, x and y taken as signed. The lower half of b must be
+/// 0; the lower half of the result is 0.
 HWY_INLINE Word products16(Word a, Word b)
 {
 #if HWY_TARGET == HWY_SCALAR
@@ -98,7 +99,7 @@ HWY_INLINE Word products16(Word a, Word b)
         Words(), std::uint64_t(part(a, 32) * part(b, 32) + part(a, 48) * part(b, 48)) << 32);
 #else
     const hn::Repartition<std::int32_t, Words> d;
-#if HWY_ARCH_X86 // which adds neighbours
+#if HWY_ARCH_X86 // adds the products of neighbouring lanes in one instruction
     const hn::Repartition<std::int16_t, Words> n;
     auto none = hn::Zero(d);
     return hn::BitCast(Words(),
@@ -113,14 +114,14 @@ HWY_INLINE Word products16(Word a, Word b)
 #endif
 }
 
-/// Where the uppermost bit is set.
+/// The words whose uppermost bit is set: that are negative as signed numbers of 64 bits.
 HWY_INLINE hn::Mask<Words> below_zero(Word v)
 {
     const hn::RebindToSigned<Words> i;
     return hn::RebindMask(Words(), hn::Lt(hn::BitCast(i, v), hn::Zero(i)));
 }
 
-/// The numbers of the lanes of a mask, a bit each.
+/// Bit k is lane k of the mask.
 HWY_INLINE std::uint32_t bits_of_words(hn::Mask<Words> mask)
 {
     std::uint8_t byte[8] = {};

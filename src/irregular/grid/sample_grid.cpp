@@ -1,4 +1,4 @@
-// sample_grid.cpp - a counting sort of samples into strips, then of each strip into its cells.
+// sample_grid.cpp - sorts samples into the strips and cells of a grid, by two counting sorts.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/grid/sample_grid.cpp"
 #include "base/simd.h"
@@ -22,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Reals = hn::CappedTag<float, 16>;
 using Halves = hn::RebindToUnsigned<Reals>;
 
-/// Words of QuantizedPoint: `w` and the places of x and y.
+/// Quantizes a register of x and y, and stores words of QuantizedPoint. w is already quantized.
 template <class V, class W>
 HWY_INLINE void store_quantized(const GridAxes& axes, V x, V y, W w, std::uint64_t* to)
 {
@@ -34,7 +34,8 @@ HWY_INLINE void store_quantized(const GridAxes& axes, V x, V y, W w, std::uint64
         hn::BitCast(d, w), hn::BitCast(d, xy), d, reinterpret_cast<std::uint32_t*>(to));
 }
 
-/// to[k] = the point of sample k. Up to 15 more are written.
+/// to[k] = the word of sample k. Writes whole registers; up to 15 entries past the last one are
+/// garbage.
 void quantize_samples(
     const GridAxes& axes, std::span<const IrregularSample> samples, std::uint64_t* to)
 {
@@ -97,10 +98,10 @@ HWY_EXPORT(quantize_corners);
 
 namespace {
 
-// Measured: a higher strip has longer runs, a lower one cuts more triangles.
-constexpr double kStripHeight = 3; // in distances of samples
-constexpr double kWanted = kStripHeight * kStripHeight * double(kStripRows); // samples times rows
-constexpr std::uint64_t kSpareWord = 1u << 16; // no point: its `nothing` is something
+// The height of a strip. Measured: higher strips have longer runs, lower ones cut more triangles.
+constexpr double kStripHeight = 3;                                           // in sample distances
+constexpr double kWanted = kStripHeight * kStripHeight * double(kStripRows); // samples * rows
+constexpr std::uint64_t kSpareWord = 1u << 16; // `unused` is 1, so it is in no box
 
 GridAxes axes_of(const SampleBounds& bounds, bool transposed)
 {
@@ -113,9 +114,12 @@ GridAxes axes_of(const SampleBounds& bounds, bool transposed)
         axis(bounds.farthest_w, bounds.nearest_w), transposed};
 }
 
-/// A point is off by 1 / 2 where it is rounded, by 3 roundings on the way of numbers up to 2^16, and
-/// by its coordinate's own one (a point light's). Differences of two places by twice that, d; so
-/// the edge (b - a) x (p - a) by 2 d S + 2 d^2. d is taken as 1.25 or that times a power of 2.
+/// Sets grid.error_shift and grid.error_rest.
+///
+/// A quantized coordinate is off by 1/2, because it is rounded to a whole number; by three
+/// roundings of numbers up to 2^16 (0.02); and, in a pencil with an origin, by the rounding of the
+/// coordinate itself. A difference of two coordinates is off by at most twice the sum, d, and so an
+/// edge (b - a) x (p - a) by at most 2 d S + 2 d^2. d is rounded up to 1.25 times a power of 2.
 void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
 {
     const auto off = [&](const GridAxes::Axis& axis, float low, float high) {
@@ -133,11 +137,12 @@ void find_errors(const SampleBounds& bounds, bool directional, SampleGrid& grid)
     grid.error_rest = fits ? 4u << 2 * grid.error_shift : 1u << 30;
 }
 
-/// From counts (shares, rows) to strips of rows, and to where each share's samples of each strip go.
-/// Returns the number of samples.
+/// Divides the rows into strips, and computes where each share writes its samples of each strip,
+/// from row_counts (shares, rows). Returns the number of samples.
 ///
-/// n samples that fill h rows of a width w lie d = sqrt(h w / n) apart: so a strip is k d high where
-/// n h = k^2 w. It is lower where samples are dense.
+/// Let h rows of width w have n samples. If these fill them evenly, their distance is sqrt(h w /
+/// n). A strip is to be k = kStripHeight of these distances high, which it is where n h = k^2 w. So
+/// strips are lower where samples are dense.
 std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
 {
     grid.strip_of.resize(kStripRows);
@@ -175,7 +180,8 @@ std::size_t divide_rows(std::size_t shares, SampleGrid& grid)
     return next;
 }
 
-/// The farthest samples of a strip's columns; kQuantizedMax where there are none.
+/// Finds the smallest w of each kDepthColumns-th part of a strip; kQuantizedMax where there is no
+/// sample.
 void find_farthest(std::size_t number, SampleGrid& grid)
 {
     const GridStrip& strip = grid.strips[number];
@@ -190,7 +196,7 @@ void find_farthest(std::size_t number, SampleGrid& grid)
         farthest[k] = std::min(farthest[k], farthest[k + 1]);
 }
 
-/// Sorts a strip's samples into its cells.
+/// Sorts the samples of one strip by cell.
 void sort_strip(std::size_t number, SampleGrid& grid)
 {
     const GridStrip strip = grid.strips[number];

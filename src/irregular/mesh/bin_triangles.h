@@ -1,5 +1,5 @@
-// bin_triangles.h - copies each triangle to every bin it belongs to: a parallel counting sort in three
-// passes (count, prefix sum, copy). A bin is a cell of a grid or a patch of samples.
+// bin_triangles.h - copies each triangle to every bin it belongs to: a parallel counting sort in
+// three passes (count, prefix sum, copy). A bin is a cell of a grid or a patch of samples.
 #pragma once
 
 #include "base/buffer.h"
@@ -35,14 +35,15 @@ struct Shares {
 
 /// The prefix sum between the two passes.
 ///
-/// cursor   (shares, bins) in: how many entries each share has for each bin; out: the index at which
-///          the share writes its first entry of that bin
+/// cursor   (shares, bins) in: how many entries each share has for each bin; out: the index at
+///          which the share writes its first entry of that bin
 /// start    (bins + 1) out: the index at which each bin starts; the last element is the total
 /// returns  the total number of entries
 std::uint64_t start_bins(std::size_t shares, std::size_t bins, Buffer<std::uint32_t>& cursor,
     Buffer<std::uint32_t>& start);
 
-/// Triangles sorted by bin; within a bin they keep their order. The memory is kept from frame to frame.
+/// Triangles sorted by bin; within a bin they keep their order. The memory is kept from frame to
+/// frame.
 struct TriangleBins {
     Buffer<ProjectedTriangle> triangles;
     Buffer<std::uint32_t> start;  // (bins + 1)
@@ -79,7 +80,8 @@ bool bin_triangles(std::span<const ProjectedTriangle> from, std::span<const Samp
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
     const std::uint64_t most = std::min(kManyCopies + 4 * from.size(), kMostCopies);
     if (total > most && bins > 1) return false;
-    // The spare room avoids that a moving scene, which needs a little more now and then, reallocates.
+    // The spare room avoids that a moving scene, which needs a little more now and then,
+    // reallocates.
     out.triangles.resize(total, total + 2 * from.size());
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];

@@ -1,4 +1,5 @@
-// cube_face.h - one face of the cube around a pencil's origin, or the image plane of a parallel pencil.
+// cube_face.h - one face of the cube around a pencil's origin, or the image plane of a parallel
+// pencil.
 //
 // A pencil is a set of rays that all go through one point (its origin: a point light or an eye), or
 // that are all parallel (a directional light).
@@ -38,7 +39,7 @@ struct CubeFace {
     }
 };
 
-/// number  0 to 5: +x, -x, +y, -y, +z, -z. Ignored for a parallel pencil, whose one face is number 0
+/// number  0 to 5: +x, -x, +y, -y, +z, -z. Ignored for a parallel pencil, which has one face
 inline CubeFace cube_face(bool directional, int number)
 {
     if (directional) return {.directional = true};

@@ -43,16 +43,16 @@ HWY_INLINE truth is_within(real a, real limit)
     return {hn::Le(hn::Abs(a.lanes), limit.lanes)};
 }
 
-/// As has_shadow_ray, except that the pencil's origin counts as usable. The origin lies on no face, so
-/// on_face and on_wide_face are false for it.
+/// As has_shadow_ray, except that the pencil's origin counts as usable. The origin lies on no face,
+/// so on_face and on_wide_face are false for it.
 HWY_INLINE truth is_usable(const real3& p)
 {
     const auto below = [](real v) { return real(hn::Abs(v.lanes)) < real(kFarthest); };
     return all_of(below(p.x), below(p.y), below(p.z));
 }
 
-/// The lanes whose points are in front of the wide face with |x| and |y| up to kWideFaceLimit. Points
-/// must be usable.
+/// The lanes whose points are in front of the wide face with |x| and |y| up to kWideFaceLimit.
+/// Points must be usable.
 template <int kAxis>
 HWY_INLINE truth on_wide_face(const real3& p, float sign)
 {
@@ -92,8 +92,8 @@ class SampleWriter {
     {
     }
 
-    /// Projects the chosen lanes and appends them. Where w = 1 / c is not below kGreatestW, the sample
-    /// has w = NaN (see IrregularSample) and counts as infinitely far in the bounds.
+    /// Projects the chosen lanes and appends them. Where w = 1 / c is not below kGreatestW, the
+    /// sample has w = NaN (see IrregularSample) and counts as infinitely far in the bounds.
     template <int kAxis>
     HWY_INLINE void add(
         const real3& p, float sign, hn::Vec<hn::RebindToUnsigned<RealTag>> id, truth chosen)

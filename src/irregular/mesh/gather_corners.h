@@ -8,8 +8,8 @@
 
 namespace firsthit {
 
-/// corner[3 k + axis][i] = coordinate `axis` (0 to 2: a, b, c of CubeFace) of corner k of triangle[i].
-/// The loads are scalar, because gather instructions were slower (measured on Zen 5).
+/// corner[3 k + axis][i] = coordinate `axis` (0 to 2: a, b, c of CubeFace) of corner k of
+/// triangle[i]. The loads are scalar, because gather instructions were slower (measured on Zen 5).
 template <std::size_t kCapacity>
 inline void gather_corners(const PencilMesh& mesh, const CubeFace& face, int count,
     const std::uint32_t* triangle, float (&corner)[9][kCapacity])

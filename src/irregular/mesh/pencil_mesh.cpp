@@ -1,4 +1,5 @@
-// pencil_mesh.cpp - the scene's triangles in the space of a pencil of rays, and projected to its faces.
+// pencil_mesh.cpp - the scene's triangles in the space of a pencil of rays, and projected to its
+// faces.
 #include "irregular/mesh/pencil_mesh.h"
 
 #include "visibility/bin/careful_box.h"

@@ -1,4 +1,5 @@
-// pencil_mesh.h - the scene's triangles in the space of a pencil of rays, and projected to its faces.
+// pencil_mesh.h - the scene's triangles in the space of a pencil of rays, and projected to its
+// faces.
 //
 // First make_pencil_mesh moves all vertices into the pencil's space. Then, face by face, either
 // find_triangles_in_view projects vertices and keeps the triangles that matter, or
@@ -21,16 +22,17 @@
 
 namespace firsthit {
 
-/// A triangle projected to a face: its box, and the w of its nearest corner. A triangle that reaches
-/// behind the plane c = 0 has an infinite nearest_w, and the box of the part in front. 24 bytes.
+/// A triangle projected to a face: its box, and the w of its nearest corner. A triangle that
+/// reaches behind the plane c = 0 has an infinite nearest_w, and the box of the part in front. 24
+/// bytes.
 struct ProjectedTriangle {
     std::uint32_t triangle; // index into PencilMesh::index
     float x0, y0, x1, y1;
     float nearest_w;
 };
 
-/// Whether a ray to a sample inside the bounds may hit the triangle before it reaches the sample. Never
-/// false where one does.
+/// Whether a ray to a sample inside the bounds may hit the triangle before it reaches the sample.
+/// Never false where one does.
 inline bool may_hit(const ProjectedTriangle& box, const SampleBounds& bounds)
 {
     return box.x0 <= bounds.x1 && box.x1 >= bounds.x0 && box.y0 <= bounds.y1 &&
@@ -52,9 +54,9 @@ struct VertexBox {
 /// V vertices and T triangles. The memory is kept from frame to frame.
 struct PencilMesh {
     PencilSpace space;
-    /// The number of a face to which all vertices project with |x| and |y| below kWideFaceLimit; -1 if
-    /// there is none. It takes the samples that up to six faces would share otherwise: each face costs
-    /// a pass over all triangles.
+    /// The number of a face to which all vertices project with |x| and |y| below kWideFaceLimit; -1
+    /// if there is none. It takes the samples that up to six faces would share otherwise: each face
+    /// costs a pass over all triangles.
     int wide_face = -1;
     std::span<const glm::uvec3> index; // (T)
     Buffer<glm::vec3> corner;          // (V) in the pencil's space; these floats are taken as exact
@@ -89,12 +91,12 @@ void project_vertices_to_face(
 VertexBox move_to_pencil_space(
     const PencilSpace& space, const glm::vec3* position, std::size_t count, glm::vec3* corner);
 
-/// The number of the face to which all of the box projects with |x| and |y| below kWideFaceLimit: the
-/// face with the smallest largest |x| or |y|. -1 if there is none.
+/// The number of the face to which all of the box projects with |x| and |y| below kWideFaceLimit:
+/// the face with the smallest largest |x| or |y|. -1 if there is none.
 int find_wide_face(const VertexBox& box);
 
-/// Moves all vertices into the pencil's space and finds the wide face. The span `index` must outlive the
-/// mesh's use.
+/// Moves all vertices into the pencil's space and finds the wide face. The span `index` must
+/// outlive the mesh's use.
 void make_pencil_mesh(const PencilSpace& space, std::span<const glm::vec3> position,
     std::span<const glm::uvec3> index, PencilMesh& mesh, Tasks& tasks);
 
@@ -105,12 +107,13 @@ void project_all_vertices(const CubeFace& face, PencilMesh& mesh, Tasks& tasks);
 void quantize_all_vertices(
     const CubeFace& face, const GridAxes& axes, PencilMesh& mesh, Tasks& tasks);
 
-/// The box of a triangle of which a corner is behind the face (c <= 0) or unusable. Returns false, and
-/// leaves the box as it is, if no ray of the face hits the triangle.
+/// The box of a triangle of which a corner is behind the face (c <= 0) or unusable. Returns false,
+/// and leaves the box as it is, if no ray of the face hits the triangle.
 bool project_clipped(const CubeFace& face, const Corners& corners, ProjectedTriangle& box);
 
-/// Projects all vertices to the face and fills in mesh.in_view and mesh.range_count with the triangles
-/// that rays to samples inside the bounds may hit (may_hit). No triangle that is hit is left out.
+/// Projects all vertices to the face and fills in mesh.in_view and mesh.range_count with the
+/// triangles that rays to samples inside the bounds may hit (may_hit). No triangle that is hit is
+/// left out.
 void find_triangles_in_view(
     const CubeFace& face, const SampleBounds& bounds, PencilMesh& mesh, Tasks& tasks);
 

@@ -17,16 +17,16 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A register of ProjectedPoint. x, y and w are garbage in lanes that are not valid: their points are
-/// behind the face or unusable.
+/// A register of ProjectedPoint. x, y and w are garbage in lanes that are not valid: their points
+/// are behind the face or unusable.
 template <class D>
 struct ProjectedLanes {
     hn::Vec<D> x, y, w;
     hn::Mask<D> valid;
 };
 
-/// Projects points of the pencil's space. All code projects vertices by this function, so that a vertex
-/// has the same projection, with the same roundings, everywhere.
+/// Projects points of the pencil's space. All code projects vertices by this function, so that a
+/// vertex has the same projection, with the same roundings, everywhere.
 template <class D>
 HWY_INLINE ProjectedLanes<D> project_lanes_to_face(
     D d, const CubeFace& face, hn::Vec<D> px, hn::Vec<D> py, hn::Vec<D> pz)

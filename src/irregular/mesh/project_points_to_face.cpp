@@ -1,4 +1,5 @@
-// project_points_to_face.cpp - sorts points of a pencil's space by face and projects them to samples.
+// project_points_to_face.cpp - sorts points of a pencil's space by face and projects them to
+// samples.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "irregular/mesh/project_points_to_face.cpp"
 #include "base/simd.h"
@@ -52,7 +53,8 @@ HWY_INLINE truth on_wide_face(const Points& points, int face)
     return {hn::And(on.lanes, points.valid.lanes)};
 }
 
-/// Writes the points for which chosen_of(points) is true as samples of the face, from index `first` on.
+/// Writes the points for which chosen_of(points) is true as samples of the face, from index `first`
+/// on.
 template <int kAxis, class Chosen>
 HWY_INLINE void project_to_face(const CubeFace& face, const PointChunk& chunk,
     const Chosen& chosen_of, std::size_t first, std::span<IrregularSample> samples,
@@ -69,8 +71,8 @@ HWY_INLINE void project_to_face(const CubeFace& face, const PointChunk& chunk,
     patch = {{first, writer.next() - first}, writer.bounds()};
 }
 
-/// The faces on which a point of the chunk lies that is not on the wide face (wide < 0: there is none).
-/// Bit k stands for face k.
+/// The faces on which a point of the chunk lies that is not on the wide face (wide < 0: there is
+/// none). Bit k stands for face k.
 unsigned faces_of(const PointChunk& chunk, int wide)
 {
     const RealTag d;

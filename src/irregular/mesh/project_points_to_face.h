@@ -35,8 +35,8 @@ inline std::size_t chunk_room(std::size_t points)
     return points + 16;
 }
 
-/// Writes the chunk's points as samples, face by face, from index `first` on. Points that project to
-/// the mesh's wide face are samples of that face, the others of the face of their largest
+/// Writes the chunk's points as samples, face by face, from index `first` on. Points that project
+/// to the mesh's wide face are samples of that face, the others of the face of their largest
 /// coordinate. Points without a ray (has_shadow_ray) are left out.
 ///
 /// patches  out: range and bounds of the samples of each face

@@ -28,8 +28,8 @@ struct ProjectedTriangles {
     hn::Vec<ProjectedTag> x0, y0, x1, y1, nearest_w;
 };
 
-/// Loads as many triangles as a register has lanes. The memory is read in order and then shuffled: a
-/// gather instruction for each field takes several times as long (measured on Zen 5).
+/// Loads as many triangles as a register has lanes. The memory is read in order and then shuffled:
+/// a gather instruction for each field takes several times as long (measured on Zen 5).
 HWY_INLINE ProjectedTriangles load_projected(const ProjectedTriangle* from)
 {
     const ProjectedTag d;

@@ -9,8 +9,8 @@
 
 namespace firsthit {
 
-/// One projected point; see CubeFace for x, y and w. w is NaN where 1 / c is not finite: such samples
-/// are always decided by the exact test, with the point that PencilPoints has for the id.
+/// One projected point; see CubeFace for x, y and w. w is NaN where 1 / c is not finite: such
+/// samples are always decided by the exact test, with the point that PencilPoints has for the id.
 struct IrregularSample {
     float x, y, w;
     std::uint32_t id; // the caller's number of the point
