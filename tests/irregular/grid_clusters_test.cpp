@@ -1,5 +1,5 @@
-// grid_clusters_test.cpp - exact shadows where a grid of samples is asked for eight triangles
-// together: in any order of the triangles, where samples crowd, where corners are not seen.
+// grid_clusters_test.cpp - shadows by clusters of eight triangles on a sample grid are exact: for
+// any order of the triangles, for crowded samples, and for triangles with a corner behind the light.
 #include "irregular/wavy_layers.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 namespace firsthit::test {
 namespace {
 
-/// Runs of triangles that follow each other change their places; points keep their triangles.
+/// Shuffles the order of runs of up to `longest` consecutive triangles. Receivers are renumbered, so
+/// that each point stays on its triangle.
 void shuffle_runs(int longest, Layers& layers, ShadowPoints& asked)
 {
     std::mt19937 random{3};
@@ -44,7 +45,7 @@ TEST(GridClusters, FindTheShadowsOfTrianglesInAnyOrder)
     }
 }
 
-TEST(GridClusters, OfAnyLengthAtTheEndOfAMesh)
+TEST(GridClusters, MayBeIncompleteAtTheEndOfAMesh)
 {
     for (std::size_t left_out = 1; left_out <= 8; ++left_out) {
         Layers layers(13, 2, glm::vec3(0), 1);
@@ -54,9 +55,9 @@ TEST(GridClusters, OfAnyLengthAtTheEndOfAMesh)
     }
 }
 
-TEST(GridClusters, MeetFewSamplesAndManyInOneMesh)
+TEST(GridClusters, MayOverlapFewSamplesOrManyInOneMesh)
 {
-    // Half of the points are where four triangles are, at all distances from the light.
+    // Half of the points project to about four triangles, and lie at all distances from the light.
     const Layers layers(24, 2, glm::vec3(0), 1);
     ShadowPoints asked = layers.points(800);
     std::mt19937 random{4};
@@ -69,7 +70,7 @@ TEST(GridClusters, MeetFewSamplesAndManyInOneMesh)
     expect_plain_shadows(layers.world.world, directional_light({0.1, -0.2, 1}), asked);
 }
 
-TEST(GridClusters, HaveCornersBehindALightAmongTheTriangles)
+TEST(GridClusters, MayHaveTrianglesWithCornersBehindTheLight)
 {
     const Layers layers(24, 1, glm::vec3(0), 1);
     const ShadowPoints asked = layers.points(1000);

@@ -1,6 +1,6 @@
-// grid_layers_test.cpp - exact shadows where the grid of samples takes short cuts: layers behind
-// all samples, samples that one wide face sees, places that are coarser than the roundings before
-// them.
+// grid_layers_test.cpp - shadows by a sample grid are exact where it takes short cuts: triangles behind
+// all samples, one wide face, and quantized coordinates that are finer than the coordinates' own
+// roundings.
 #include "irregular/wavy_layers.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(GridLayers, ThatLieBehindAllSamplesShadowNothing)
     }
 }
 
-TEST(GridLayers, AreSeenByOneWideFaceAcrossTheCubesEdges)
+TEST(GridLayers, ProjectToOneWideFaceAcrossTheCubesEdges)
 {
     const Layers layers(20, 3, glm::vec3(0), 1);
     const World& world = layers.world.world;
@@ -43,9 +43,9 @@ TEST(GridLayers, AreSeenByOneWideFaceAcrossTheCubesEdges)
     expect_plain_shadows(world, light, layers.points(1000));
 }
 
-TEST(GridLayers, ShadowPointsThatTheWideFaceDoesNotSee)
+TEST(GridLayers, ShadowPointsOutsideOfTheWideFace)
 {
-    // Points are given anywhere, also behind the light and beside all triangles.
+    // Points are anywhere, also behind the light and beside all triangles.
     const Layers layers(20, 2, glm::vec3(0, 0, 1.5), 1);
     const World& world = layers.world.world;
     const Light light = point_light({0.4, 0, 0.9});
@@ -60,10 +60,10 @@ TEST(GridLayers, ShadowPointsThatTheWideFaceDoesNotSee)
     expect_plain_shadows(world, light, asked);
 }
 
-TEST(GridLayers, ThatAreSmallAndFarBesideTheAxisAreNotDecidedByTheirPlaces)
+TEST(GridLayers, ThatAreSmallAndFarFromTheAxisAreDecidedInFullPrecision)
 {
-    // Places of samples and corners are off by up to a hundred: a face's roundings are far larger
-    // than its box's 65,536th part.
+    // The quantized coordinates of samples and corners are off by up to a hundred, because the
+    // roundings of the projection are far larger than a 65,536th of the samples' bounds.
     for (const float size : {1e-2f, 1e-3f, 1e-4f}) {
         const Layers layers(20, 3, glm::vec3(5, 4, 0), size);
         expect_plain_shadows(

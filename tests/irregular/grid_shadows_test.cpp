@@ -1,5 +1,5 @@
-// grid_shadows_test.cpp - shadows of small triangles over a grid of samples are those of the plain
-// loop, and of the patches and cells.
+// grid_shadows_test.cpp - shadows by a sample grid equal those of the plain loop over all pairs, and
+// those by patches and cells.
 #include "instruction_sets.h"
 #include "shadow/exact/planned_shadows.h"
 #include "shadow/shadow_builder.h"
@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Adversarial, GridShadows,
         return shadow_test_name(shadow_scenes()[scene.param]);
     });
 
-/// A hilly sheet of 2 n n triangles under a light, with points on it: corners, edges, middles.
+/// A hilly sheet of 2 n n triangles under a light, with points at corners, on edges and inside of
+/// triangles.
 struct Sheet {
     TestWorld world;
     ShadowPoints asked;
@@ -109,7 +110,7 @@ TEST(GridShadowsOfSheets, EqualThoseOfPatchesAndCells)
 
 TEST(GridShadowsOfSheets, LeaveCrowdedSamplesToTheCells)
 {
-    // All but one of 20,000 points crowd together at 1 / 100,000 of the grid.
+    // All but one of 20,000 points lie within a square of 1 / 200,000 of the grid's side.
     const Light light = directional_light({0, -1, 0});
     Sheet sheet(60, 1, 0.3f, false, light);
     std::mt19937 random(3);

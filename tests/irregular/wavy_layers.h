@@ -1,4 +1,4 @@
-// wavy_layers.h - meshes of small triangles under each other, for shadows by a grid of samples.
+// wavy_layers.h - layers of small triangles, one behind the other, for shadows by a sample grid.
 #pragma once
 
 #include "instruction_sets.h"
@@ -31,7 +31,7 @@ struct Layers {
         world.world.scene = world.scene.get();
     }
 
-    /// Points on triangles: corners, edges and middles.
+    /// Points at corners, on edges and inside of triangles. Every fifth point has no receiver.
     ShadowPoints points(int count) const
     {
         std::mt19937 random{7};
@@ -50,7 +50,7 @@ struct Layers {
     }
 };
 
-/// Both plans, on every instruction set, are the plain loop.
+/// Checks that the grid and the cells find the shadows of the plain loop, on every instruction set.
 inline void expect_plain_shadows(const World& world, const Light& light, const ShadowPoints& asked)
 {
     const PencilSpace space = light_space(light, glm::dvec3(0));

@@ -11,12 +11,6 @@
 
 namespace firsthit {
 
-/// Samples of one face that came together, for instance from one tile of the picture.
-struct SamplePatch {
-    SampleRange range;
-    SampleBounds bounds;
-};
-
 /// Whether testing a patch as it is costs less than sorting its samples into cells.
 ///
 /// all        the bounds of all samples of the face

@@ -26,11 +26,11 @@
 //     parallel pencil:        K = |N| / |N.c|,     s = margins
 // The bounds shadowed_from and lit_below take the largest and the least s of the cell, and the
 // errors.
-#if defined(FIRSTHIT_IRREGULAR_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FIRSTHIT_IRREGULAR_SET_UP_INL_H
-#undef FIRSTHIT_IRREGULAR_SET_UP_INL_H
+#if defined(FIRSTHIT_IRREGULAR_CELLS_SET_UP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_IRREGULAR_CELLS_SET_UP_INL_H_
+#undef FIRSTHIT_IRREGULAR_CELLS_SET_UP_INL_H_
 #else
-#define FIRSTHIT_IRREGULAR_SET_UP_INL_H
+#define FIRSTHIT_IRREGULAR_CELLS_SET_UP_INL_H_
 #endif
 
 #include "irregular/cells/cell_kernel.h"

@@ -16,7 +16,7 @@
 #include "base/tasks.h"
 #include "irregular/grid/quantized_points.h"
 #include "irregular/cells/cell_kernel.h"
-#include "irregular/cells/patches.h"
+#include "irregular/mesh/bin_triangles.h"
 
 #include <cstdint>
 #include <span>

@@ -3,7 +3,6 @@
 
 #include "exact/shadow_ray.h"
 #include "irregular/mesh/pencil_mesh.h"
-#include "irregular/cells/patches.h"
 #include "irregular/mesh/samples.h"
 
 #include <array>

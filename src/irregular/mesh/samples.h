@@ -43,4 +43,10 @@ struct SampleBounds {
     }
 };
 
+/// Samples of one face that came together, for instance from one tile of the picture.
+struct SamplePatch {
+    SampleRange range;
+    SampleBounds bounds;
+};
+
 } // namespace firsthit
