@@ -70,8 +70,8 @@ inline void start_cell(const PencilMesh& mesh, const SampleBounds& bounds, CellK
 
 /// How many of the next sixteen samples make a group. Reads seventeen samples. The 4x4 samples of
 /// one square of pixels have consecutive ids (base/tile_order.h), and the group ends before a
-/// square that would not fit into it wholly. This presumes rising ids; for others the result is any
-/// number from 1 to 16, which is correct, but boxes of groups may be larger.
+/// square that would not fit into it wholly. For ids that do not rise, the result is any number
+/// from 1 to 16; every number is correct, but some give more groups or larger boxes.
 HWY_INLINE std::size_t group_size(const IrregularSample* samples)
 {
     const auto square = [&](std::size_t k) { return samples[k].id / kGroup; };
@@ -220,14 +220,17 @@ inline void fill_groups(
     kernel.table.resize(most_tables);
     kernel.box.resize(most_tables * kTableBoxes);
     const GroupSlots group_slots(slots);
-    std::size_t group = 0;
+    std::size_t group = 0, previous = kGroup; // previous: the size of the group before this one
     for (std::size_t k = 0; k < samples.size(); ++group) {
         const IrregularSample* from = &samples[k];
         const std::size_t left = samples.size() - k;
         if (left > kAhead + kGroup)
             for (std::size_t line = 0; line < kGroup; line += 4)
                 __builtin_prefetch(from + kAhead + line);
-        const std::size_t count = left > kGroup ? group_size(from) : left;
+        std::size_t count = left > kGroup ? group_size(from) : left;
+        // Ids that do not rise could make more groups than most_groups allows.
+        if (left > kGroup && previous + count <= kGroup) count = kGroup;
+        previous = count;
         IrregularSample last[kGroup];
         if (left < kGroup) {
             std::copy_n(from, left, last);
