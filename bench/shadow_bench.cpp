@@ -87,7 +87,7 @@ std::size_t count_wrong(
             for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
                 const std::size_t bit = std::size_t(std::countr_zero(rest));
                 const bool exact =
-                    bits.words[bits.place(bits.lights - 1, tile) + run.block] >> bit & 1;
+                    bits.words[bits.first_word(bits.lights - 1, tile) + run.block] >> bit & 1;
                 wrong += exact != (lit[tile * samples + run.block * 64u + bit] > 0.5f);
             }
     return wrong;

@@ -1,4 +1,4 @@
-// hit_hull-inl.h - what bounds the hits of a block, or of a tile: eight points around them.
+// hit_hull-inl.h - bounds of the hits of a block or tile: their depths, and eight points around.
 #if defined(FIRSTHIT_SHADOW_HIT_HULL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_HIT_HULL_INL_H_
 #undef FIRSTHIT_SHADOW_HIT_HULL_INL_H_
@@ -15,13 +15,13 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The nearest and farthest depth of some samples, and how many of them have one.
+/// The nearest and farthest depth of some samples, and how many of them have a hit.
 struct HitDepths {
     float nearest, farthest;
     std::size_t hits;
 };
 
-/// Of some samples, lane by lane.
+/// The same, accumulated lane by lane.
 struct LaneDepths {
     real nearest, farthest;
     std::size_t hits = 0;
@@ -62,14 +62,15 @@ HWY_INLINE HitDepths tile_depths(const HitTile& hits)
     return depths.over_lanes();
 }
 
-/// The hits of a square of samples lie in the hull of eight points: its four corner rays at its
-/// nearest and at its farthest depth. Some may be there twice, to fill a register.
+/// The hits of a square of samples lie in the convex hull of eight points: the square's four corner
+/// rays at its nearest and at its farthest depth. Points are repeated to fill wider registers.
 struct HitHull {
     static constexpr int kRegisters = std::max(1, 8 / kLanes);
     real3 p[kRegisters];
 };
 
-/// Of `side` x `side` samples from (x, y) of the tile on, in the space of `to`.
+/// The hull of the `side` x `side` samples whose first is (x, y) of the tile, in the space that
+/// `to` transforms into.
 HWY_INLINE HitHull hit_hull(
     const RayTransform& to, float x, float y, int side, const HitDepths& depths)
 {

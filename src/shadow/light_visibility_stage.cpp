@@ -1,4 +1,4 @@
-// light_visibility_stage.cpp - which lights reach what is seen, by the technique that was asked for.
+// light_visibility_stage.cpp - the stage of a frame that finds which lights reach the hits.
 #include "shadow/light_visibility_stage.h"
 
 #include "shadow/map/sample_shadow_map.h"
@@ -10,8 +10,8 @@ namespace firsthit {
 
 namespace {
 
-/// Finds the lights that reach no hit at all, and what the others' maps have to show: bounds are asked for
-/// only now where there are occluders.
+/// Finds the lights that reach no hit at all. For the other lights, adds the bounds of the hits to
+/// the maps, which add_light_visibility_hits leaves to this function if there are occluders.
 void find_dark_lights(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
     LightVisibilityMemory& memory, Tasks& tasks)
 {
@@ -32,7 +32,8 @@ void start_light_visibility(const World& world, const Settings& settings, std::s
 {
     memory.technique = settings.shadows == Shadows::map ? Shadows::map : Shadows::exact;
     memory.dark.assign(world.lights.size(), 0);
-    // A bias that is given may let light through a wall.
+    // With a bias from the settings a map may show no shadow behind an occluder, so that culling
+    // would change the picture.
     const bool by_map = memory.technique == Shadows::map;
     if (memory.by_occluders && !(by_map && settings.shadow_bias >= 0))
         start_tile_occlusion(world, tiles, memory.tile_occlusion, tasks);

@@ -1,5 +1,5 @@
-// light_visibility_stage.h - the frame's question "which lights reach what is seen?", put to the technique that
-// was asked for.
+// light_visibility_stage.h - the stage of a frame that finds which lights reach the hits, by the
+// technique that the settings ask for.
 #pragma once
 
 #include "base/tasks.h"
@@ -29,11 +29,12 @@ struct LightVisibilityMemory {
     MapMaker* map_maker = nullptr; // null: our rasteriser
 };
 
-/// Begins a part of the picture.
+/// Begins a picture part.
 void start_light_visibility(const World& world, const Settings& settings, std::size_t tiles,
     LightVisibilityMemory& memory, Tasks& tasks);
 
-/// Takes note of a tile's hits while they are in cache. Calls with different workers may overlap.
+/// Records a tile's hits while they are in cache. Calls with different workers may run at the same
+/// time.
 void add_light_visibility_hits(
     const HitTile& hits, std::size_t tile, LightVisibilityMemory& memory, std::size_t worker);
 
@@ -42,11 +43,11 @@ void add_light_visibility_hits(
 void find_light_visibility(const World& world, const Settings& settings, const glm::dvec3& eye,
     std::span<const HitTile> tiles, LightVisibilityMemory& memory, Tasks& tasks);
 
-/// How much of each light reaches the samples of a tile; in `room`.
+/// The light visibility of a tile's samples. The result points into `room`.
 LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,
     std::size_t tile, const LightVisibilityMemory& memory, Buffer<float>& room);
 
-/// Adds what was done since the last call.
+/// Adds the work since the last call to `stats`.
 void add_light_visibility_stats(LightVisibilityMemory& memory, Stats& stats);
 
 } // namespace firsthit

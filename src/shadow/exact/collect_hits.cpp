@@ -1,7 +1,7 @@
-// collect_hits.cpp - from the hits of a tile to samples of a light's faces.
+// collect_hits.cpp - turns the hits of a tile into samples of a light's faces.
 //
-// Mostly one face sees a whole tile: its samples are written at once. What lies on others is kept as
-// points, which project_points_to_face goes through face by face.
+// Most tiles lie on a single face, which is guessed first and whose samples are written directly.
+// Hits on other faces are kept as points, which project_points_to_face then handles face by face.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/exact/collect_hits.cpp"
 #include "base/simd.h"
@@ -22,13 +22,13 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The receivers (exact/shadow_ray.h) of a register of samples.
+/// The receivers (exact/shadow_ray.h) of one register of samples.
 struct LaneReceivers {
     real3 away;
     real margin;
 };
 
-/// Those of a block's samples. What is no run's is anything.
+/// The receivers of a block's samples. Undefined for samples that are in no run.
 class BlockReceivers {
   public:
     HWY_INLINE void start(std::span<const FacingRun> runs)
@@ -61,13 +61,13 @@ class BlockReceivers {
     }
 
   private:
-    static constexpr std::size_t kFew = 3 * kLanes; // runs: one after the other takes less
+    static constexpr std::size_t kFew = 3 * kLanes; // up to so many runs, blending each is faster
 
     std::span<const FacingRun> runs_;
     alignas(64) float of_[kBlockSamples][4] = {};
 };
 
-/// lifted (exact/shadow_ray.h), the same bits.
+/// Vector version of lifted() (exact/shadow_ray.h), with the same bits.
 HWY_INLINE real3 lifted(const PencilSpace& space, real3 d, const LaneReceivers& receivers)
 {
     const auto size = [](real v) { return hn::Abs(v.lanes); };
@@ -78,7 +78,8 @@ HWY_INLINE real3 lifted(const PencilSpace& space, real3 d, const LaneReceivers& 
 
 using Ids = hn::Vec<hn::RebindToUnsigned<RealTag>>;
 
-/// Of samples in a row. Highway's Iota is built number by number where its start is not constant.
+/// first, first + 1, ... Faster than Highway's Iota, which inserts lane by lane where its start is
+/// not a constant.
 HWY_INLINE Ids ids_from(std::uint32_t first)
 {
     alignas(64) static constexpr std::uint32_t kNumbers[16] = {
@@ -87,8 +88,9 @@ HWY_INLINE Ids ids_from(std::uint32_t first)
     return hn::Add(hn::Set(du, first), hn::Load(du, kNumbers));
 }
 
-/// Appends the chosen lanes: whole registers, of which the next ones write over what is too much.
-/// Some processors are very slow to compress straight to memory.
+/// Appends the chosen lanes to the chunk. Writes a whole register; entries past `count` are garbage
+/// that the next call overwrites. (CompressStore would write only the chosen lanes, but is very
+/// slow on some processors.)
 HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, PointChunk& chunk)
 {
     const RealTag d;
@@ -102,7 +104,8 @@ HWY_INLINE void add_points(const real3& p, Ids id, truth chosen, PointChunk& chu
     chunk.count += hn::CountTrue(d, chosen.lanes);
 }
 
-/// Calls f(points, ids, chosen) for the registers of all runs, in order.
+/// Calls f(points, ids, chosen) for each register that has hits of the runs, in order of samples,
+/// and fills in `reached`. The points are lifted and in the light's space.
 template <class F>
 HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> reached, const F& f)
 {
@@ -141,7 +144,8 @@ void collect_chunk(const CollectWork& work, std::span<std::uint64_t> reached, Po
         [&](const real3& p, Ids id, truth chosen) { add_points(p, id, chosen, chunk); });
 }
 
-/// The face that sees the sample in the middle of the runs, or the wide one.
+/// The face that most of the hits probably lie on: the wide face if there is one, else the face of
+/// a sample in the middle of the runs.
 int likely_face(const CollectWork& work)
 {
     if (work.mesh.wide_face >= 0) return work.mesh.wide_face;

@@ -1,4 +1,4 @@
-// collect_hits.h - from the hits of a tile to samples of a light's faces.
+// collect_hits.h - turns the hits of a tile into samples of a light's faces.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -11,7 +11,7 @@
 
 namespace firsthit {
 
-/// A tile and a light.
+/// The hits of one tile that one light may reach.
 struct CollectWork {
     const HitTile& hits;
     std::span<const FacingRun> runs; // of the tile, see find_receivers.h
@@ -20,21 +20,23 @@ struct CollectWork {
     std::uint32_t first_id = 0;     // of the tile's first sample
 };
 
-/// Writes the points of the runs' samples, from sample number `first` on, to the faces that see them,
-/// as project_points_to_face: the bits of hits/hit_position.h, moved by to_light and lifted off their receivers.
-/// reached  (blocks) a bit for each sample of a run that is inside the cone
-/// spare    room for the points of the tile
+/// Projects the runs' hits onto the light's faces and writes the samples to `samples` from index
+/// `first` on, grouped by face, as project_points_to_face does. Positions have the bits of
+/// hits/hit_position.h, are moved by to_light, and lifted off their receivers.
+/// reached  (blocks) receives a bit for each sample of a run that is inside the light's cone
+/// parts    receives the range and bounds of each face's samples
+/// spare    scratch memory with room for the points of the tile
 void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
     std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& spare);
 
-/// The same as points.
+/// The same positions as points of a chunk, not projected onto faces.
 void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk);
 
-/// Clears the bits of the samples that are shadowed.
+/// Clears the bits of samples that are shadowed.
 /// shadowed  (64 * words) 0 or 1
 void remove_shadowed(const std::uint8_t* shadowed, std::span<std::uint64_t> words);
 
-/// floats[k] = bit k of the words, 0 or 1.
+/// Writes floats[k] = bit k of the words, 0 or 1.
 void unpack_bits(std::span<const std::uint64_t> words, float* floats);
 
 } // namespace firsthit

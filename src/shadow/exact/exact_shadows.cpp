@@ -1,4 +1,4 @@
-// exact_shadows.cpp - which lights reach what the eye sees.
+// exact_shadows.cpp - exact light visibility: one shadow ray for each hit and light.
 #include "shadow/exact/exact_shadows.h"
 
 #include "base/stopwatch.h"
@@ -14,7 +14,7 @@
 namespace firsthit {
 namespace {
 
-/// The points behind the ids: number of a sample in all tiles.
+/// The points of the hits. A point's id is the number of its sample, counted through all tiles.
 class HitPoints : public PencilPoints {
   public:
     HitPoints(std::span<const HitTile> tiles, const PencilMesh& mesh) : tiles_(tiles), mesh_(mesh)
@@ -41,10 +41,11 @@ class HitPoints : public PencilPoints {
     const PencilMesh& mesh_;
 };
 
-/// Measured: below this many triangles a sample, sorting both costs less.
+/// Triangles per sample above which the grid is faster than sorting both into cells (measured).
 constexpr double kManyTriangles = 1.5;
 
-/// Samples around a sample that a grid's cells may hold; eight are usual.
+/// The grid is not used where its cells hold more than this many samples on average around a
+/// sample (SampleGrid::crowding); eight are usual.
 constexpr double kCrowded = 128;
 
 bool wants_grid(const ShadowMemory& memory, std::size_t samples)
@@ -60,7 +61,7 @@ LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>&
     const std::size_t samples = bits.blocks * kBlockSamples;
     memory.resize(bits.lights * samples);
     for (std::size_t l = 0; l < bits.lights; ++l)
-        unpack_bits(bits.words.span().subspan(bits.place(l, tile), bits.blocks),
+        unpack_bits(bits.words.span().subspan(bits.first_word(l, tile), bits.blocks),
             memory.data() + l * samples);
     return {memory.data(), samples};
 }
@@ -93,8 +94,8 @@ ShadowEffort take_effort(ShadowMemory& memory)
     return std::exchange(memory.effort, {});
 }
 
-/// Tests the samples of one face by the grid. Returns the number of triangles that are left, or
-/// nothing where samples crowd together more than the grid can tell apart: nothing is done then.
+/// Tests the samples of one face by the grid. Returns the number of triangles that the grid left
+/// untested. Returns nothing, and tests nothing, where the samples are too crowded for the grid.
 std::optional<std::size_t> test_face_by_grid(const CubeFace& face, const SampleBounds& bounds,
     const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     std::span<std::uint8_t> shadowed)
@@ -110,7 +111,7 @@ std::optional<std::size_t> test_face_by_grid(const CubeFace& face, const SampleB
     const std::size_t left =
         test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
     memory.effort.test_ms += watch.lap_ms();
-    if (left > 0) project_all_vertices(face, memory.mesh, tasks); // for those
+    if (left > 0) project_all_vertices(face, memory.mesh, tasks); // for the triangles left
     memory.effort.see_ms += watch.lap_ms();
     return left;
 }
@@ -148,13 +149,13 @@ void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
 }
 
 void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit, TileOcclusion* tile_occlusion)
+    ShadowMemory& memory, Tasks& tasks, LitBits& visibility, TileOcclusion* tile_occlusion)
 {
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
-    lit.lights = world.lights.size();
-    lit.tiles = tiles.size();
-    lit.blocks = samples / kBlockSamples;
-    lit.words.resize(world.lights.size() * lit.tiles * lit.blocks);
+    visibility.lights = world.lights.size();
+    visibility.tiles = tiles.size();
+    visibility.blocks = samples / kBlockSamples;
+    visibility.words.resize(world.lights.size() * visibility.tiles * visibility.blocks);
     resize(memory, tiles.size(), samples, tasks.threads());
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
         const Light& light = world.lights[l];
@@ -163,7 +164,8 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
         if (light.kind == Light::Kind::spot) cone = spot_cone(light);
         Stopwatch watch;
         if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
-            std::fill_n(&lit.words[lit.place(l, 0)], lit.tiles * lit.blocks, std::uint64_t(0));
+            std::fill_n(&visibility.words[visibility.first_word(l, 0)],
+                visibility.tiles * visibility.blocks, std::uint64_t(0));
             memory.effort.collect_ms += watch.lap_ms();
             continue;
         }
@@ -171,9 +173,9 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
         make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
         memory.effort.see_ms += watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
-            std::uint64_t* words = &lit.words[lit.place(l, tile)];
+            std::uint64_t* words = &visibility.words[visibility.first_word(l, tile)];
             if (tile_occlusion && tile_occlusion->hidden[tile]) {
-                std::fill_n(words, lit.blocks, std::uint64_t(0));
+                std::fill_n(words, visibility.blocks, std::uint64_t(0));
                 memory.parts[tile] = {};
                 return;
             }
@@ -182,7 +184,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
             find_receivers(memory.mesh, tiles[tile], receivers);
             collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
                              std::uint32_t(tile * samples)},
-                tile * chunk_room(samples), memory.samples.span(), {words, lit.blocks},
+                tile * chunk_room(samples), memory.samples.span(), {words, visibility.blocks},
                 memory.parts[tile], chunk);
             std::memset(memory.shadowed.data() + tile * samples, 0, samples);
         });
@@ -191,7 +193,7 @@ void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<con
         watch.lap_ms();
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
             remove_shadowed(memory.shadowed.data() + tile * samples,
-                lit.words.span().subspan(lit.place(l, tile), lit.blocks));
+                visibility.words.span().subspan(visibility.first_word(l, tile), visibility.blocks));
         });
         memory.effort.collect_ms += watch.lap_ms();
     }

@@ -1,5 +1,4 @@
-// exact_shadows.h - which lights reach what the eye sees: for every hit and light the answer of a
-// shadow ray.
+// exact_shadows.h - exact light visibility: tests one shadow ray for each hit and light.
 #pragma once
 
 #include "base/tasks.h"
@@ -20,30 +19,30 @@
 
 namespace firsthit {
 
-/// Where the time went, in milliseconds, and what it took.
+/// Time and work of the stages.
 struct ShadowEffort {
-    double collect_ms = 0;    // hits to points in the light's space
-    double see_ms = 0;        // vertices and triangles to the light's faces
-    double sort_ms = 0;       // into the cells
-    double test_ms = 0;       // triangles over points
-    std::uint64_t points = 0; // that a light might reach
+    double collect_ms = 0;    // moving hits into the light's space
+    double see_ms = 0;        // projecting vertices and triangles onto the light's faces
+    double sort_ms = 0;       // sorting samples and triangles into cells
+    double test_ms = 0;       // testing triangles against samples
+    std::uint64_t points = 0; // shadow rays: (hit, light) pairs that face each other
     TestCounts counts;
 };
 
-/// What one worker collects.
+/// Scratch memory of one worker while it collects a tile's hits.
 struct ShadowWorker {
     TileReceivers receivers;
     PointChunk chunk;
 };
 
-/// Which way triangles meet the samples of a face.
+/// How the triangles of a face are matched with its samples.
 enum class ShadowPlan {
-    automatic, // by the numbers of both
-    grid,      // small triangles by the grid (grid_shadows.h), the others as below
-    cells,     // all sorted into patches and cells (irregular/zbuffer.h)
+    automatic, // chosen from the numbers of triangles and samples
+    grid,      // small triangles by the grid (grid_shadows.h), the others by cells
+    cells,     // all triangles by patches and cells (irregular/zbuffer.h)
 };
 
-/// Kept from frame to frame.
+/// Memory that is kept from frame to frame.
 struct ShadowMemory {
     ShadowPlan plan = ShadowPlan::automatic;
     PencilMesh mesh;
@@ -55,45 +54,49 @@ struct ShadowMemory {
     Buffer<SamplePatch> patches;                   // (chunks) of one face
     Buffer<std::uint8_t> shadowed;                 // (points) of one light
     std::vector<std::unique_ptr<ShadowWorker>> workers;
-    ShadowEffort effort; // so far; take_effort moves it away
+    ShadowEffort effort; // since the last take_effort()
 };
 
-/// What was done since the last call.
+/// Returns the effort since the last call and resets it to zero.
 ShadowEffort take_effort(ShadowMemory& memory);
 
-/// Room for what the workers need.
+/// Allocates the memory that the chunks and the workers need.
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads);
 
-/// Tests the samples of all chunks: shadowed[id] = 1 for those that a triangle shadows. A chunk is
-/// the points that were collected together: those of a tile, or some that are no pixels. memory.mesh,
-/// samples and parts are filled in.
+/// Tests the samples of all chunks and writes shadowed[id] = 1 for those that a triangle shadows;
+/// other elements are not written. A chunk is a group of points that were collected together: the
+/// hits of one tile, or a range of arbitrary points (point_shadows.h). The caller has filled in
+/// memory.mesh, memory.samples and memory.parts.
 void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     std::span<std::uint8_t> shadowed);
 
-/// A bit for each sample of each tile and light: does the light reach it? In tile order; word k of
-/// a tile's light belongs to its block k.
+/// Light visibility as one bit for each light, tile and sample: 1 where the light reaches the
+/// sample. Bits are in tile order: word k of a tile holds its block k.
 struct LitBits {
     Buffer<std::uint64_t> words; // (lights, tiles, blocks)
     std::size_t lights = 0;
     std::size_t tiles = 0;
-    std::size_t blocks = 0; // of a tile
+    std::size_t blocks = 0; // of one tile
 
-    std::size_t place(std::size_t light, std::size_t tile) const
+    /// Index of the first word of a light and tile.
+    std::size_t first_word(std::size_t light, std::size_t tile) const
     {
         return (light * tiles + tile) * blocks;
     }
 };
 
-/// A tile's part of all lights as floats, in `memory`.
+/// Converts one tile's bits, of all lights, to floats 0 and 1. The result points into `memory`.
 LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
-/// Fills in `lit` for all tiles' hits and all lights of the world. A hit is lit where the light is
-/// on the side of the item's plane that the eye is on, the hit is inside a spot's cone, and no other
-/// triangle shadows it (exact/shadow_ray.h).
-/// eye    where the hits were seen from
-/// tiles  of one picture part, all of one size, whose items lie one behind the other
-/// tile_occlusion  of these tiles, if it has occluders: tiles that it hides need no tests; or null
+/// Computes the light visibility of all hits of the tiles for all lights of the world. A light
+/// reaches a hit if it is on the same side of the item's plane as the eye, the hit is inside the
+/// light's cone (spot lights), and no other triangle shadows the hit (exact/shadow_ray.h).
+/// eye             where the hits were seen from
+/// tiles           of one picture part; all of one size, their items in one contiguous array
+/// visibility      receives the answers
+/// tile_occlusion  of these tiles, with occluders; or null. Tiles that it hides are not tested.
 void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& lit, TileOcclusion* tile_occlusion = nullptr);
+    ShadowMemory& memory, Tasks& tasks, LitBits& visibility,
+    TileOcclusion* tile_occlusion = nullptr);
 
 } // namespace firsthit

@@ -1,7 +1,6 @@
-// find_receivers.cpp - which hits have the light on the side of their surface that the eye sees?
+// find_receivers.cpp - finds the hits whose surface faces the light, several triangles at a time.
 //
-// Triangle by triangle of the tile, several at once; the bits are those of light_side and
-// receiver_of.
+// The results have the same bits as light_side and receiver_of (exact/shadow_ray.h).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/exact/find_receivers.cpp"
 #include "base/simd.h"
@@ -20,14 +19,14 @@ namespace {
 using Doubles = hn::CappedTag<double, 8>;
 using Floats = hn::Rebind<float, Doubles>;
 
-constexpr std::size_t kRuns = 64; // together
+constexpr std::size_t kRuns = 64; // of a batch
 
-/// Runs' items in the light's space.
+/// The triangles of some runs, in the light's space.
 struct RunBatch {
     alignas(64) float eye_side[kRuns];
-    alignas(64) float corner[3][kRuns][4]; // the fourth is nothing
-    alignas(64) double volume[kRuns];      // 0 where its sign is not certain
-    alignas(64) float receiver[kRuns][4];  // if the light is on the eye's side
+    alignas(64) float corner[3][kRuns][4]; // x, y, z, unused
+    alignas(64) double volume[kRuns];      // 0 where rounding leaves its sign uncertain
+    alignas(64) float receiver[kRuns][4];  // valid if the light is on the eye's side
 };
 
 template <class V>
@@ -77,14 +76,14 @@ void set_up(bool directional, std::size_t count, RunBatch& batch)
         const F corner =
             hn::Max(hn::Max(largest_of(narrow[0]), largest_of(narrow[1])), largest_of(narrow[2]));
         const F margin = hn::Mul(hn::Set(f, kShadowMargin), corner);
-        // No plane: no receiver.
+        // A triangle without a plane (n = 0) lifts nothing.
         const auto has_plane = hn::Ne(hn::DemoteTo(f, hn::IfThenElseZero(plane, one)), hn::Zero(f));
         hn::StoreInterleaved4(away(n.x), away(n.y), away(n.z),
             hn::IfThenElseZero(has_plane, margin), f, batch.receiver[i]);
     }
 }
 
-/// Asks for the memory of what later batches read.
+/// Prefetches the runs, indices and corners of the runs ahead.
 HWY_INLINE void prefetch_entries(
     const PencilMesh& mesh, std::span<const HitRun> runs, std::size_t run)
 {
@@ -96,8 +95,8 @@ HWY_INLINE void prefetch_entries(
     for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.corner[index[k]]);
 }
 
-/// Run number i of the batch: its item, and corners by sixteen bytes at a time, which a buffer has
-/// room for at its end.
+/// Copies a run's corners to index i of the batch. Copies 16 bytes for each 12-byte corner, which
+/// is faster; a Buffer has room for that behind its last element.
 HWY_INLINE void copy_run(const PencilMesh& mesh, const HitRun& run, std::size_t i, RunBatch& batch)
 {
     const glm::uvec3& index = mesh.index[run.item];
@@ -119,14 +118,14 @@ void find(const PencilMesh& mesh, const HitTile& hits, TileReceivers& receivers)
             copy_run(mesh, runs[i], i, batch);
         }
         for (std::size_t i = runs.size(); i % hn::Lanes(Doubles()) != 0; ++i)
-            copy_run(mesh, runs[0], i, batch); // to fill a register
+            copy_run(mesh, runs[0], i, batch); // fills up the last register
         set_up(mesh.space.directional, runs.size(), batch);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const HitRun& run = runs[i];
             int side = batch.volume[i] > 0 ? 1 : -1;
             if (batch.volume[i] == 0) [[unlikely]]
                 side = light_side(mesh.space, mesh.corners(run.item), effort);
-            // Always written, kept where it faces the light: guessing which do costs more.
+            // Written for every run, kept only if it faces the light: a branch would cost more.
             std::memcpy(next->receiver, batch.receiver[i], sizeof next->receiver);
             next->samples = run.samples;
             next->block = run.block;

@@ -1,5 +1,4 @@
-// find_receivers.h - which hits have the light on the side of their surface that the eye sees, and
-// how far is each moved off that surface?
+// find_receivers.h - finds the hits whose surface faces the light, and how to lift them off it.
 #pragma once
 
 #include "base/buffer.h"
@@ -12,15 +11,15 @@
 
 namespace firsthit {
 
-/// The samples of one block on one triangle that faces the light.
+/// The samples of one block that lie on one triangle, which faces the light.
 struct FacingRun {
-    float receiver[4];         // away, margin (exact/shadow_ray.h)
+    float receiver[4];         // Receiver::away, margin (exact/shadow_ray.h)
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
     std::uint32_t block = 0;
 };
 static_assert(sizeof(FacingRun) == 32, "two in a cache line");
 
-/// Those of a tile, in the order of HitTile::runs; a worker's memory.
+/// The facing runs of a tile, in the order of HitTile::runs. Each worker has one of its own.
 struct TileReceivers {
     Buffer<FacingRun> run;
     std::size_t count = 0;
@@ -28,8 +27,8 @@ struct TileReceivers {
     std::span<const FacingRun> runs() const { return run.span().first(count); }
 };
 
-/// Finds the runs of a tile whose item's plane has light and eye on the same side, exactly, and
-/// neither lies in it.
+/// Finds the runs of a tile whose triangle has the light and the eye on the same side of its plane.
+/// Exact; runs where the light or the eye lies in the plane are left out.
 void find_receivers(const PencilMesh& mesh, const HitTile& hits, TileReceivers& receivers);
 
 } // namespace firsthit

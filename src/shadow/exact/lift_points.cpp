@@ -1,4 +1,4 @@
-// lift_points.cpp - moves points off the triangles that they lie on.
+// lift_points.cpp - lifts points off the triangles that they lie on.
 #include "shadow/exact/lift_points.h"
 
 #include <firsthit/scene.h>
@@ -8,7 +8,7 @@
 namespace firsthit {
 namespace {
 
-/// The triangles of nearby points are few: their receivers are made once.
+/// A direct-mapped cache of receivers: points that follow each other lie on few triangles.
 class Receivers {
   public:
     explicit Receivers(const PencilMesh& mesh) : mesh_(mesh) { item_.fill(kNoItem); }

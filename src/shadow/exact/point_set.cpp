@@ -1,4 +1,4 @@
-// point_set.cpp - points that are no pixels, in an order in which neighbours lie close together.
+// point_set.cpp - sorts points along a z-order curve and moves them into a light's space.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/exact/point_set.cpp"
 #include "base/simd.h"
@@ -43,7 +43,7 @@ namespace {
 constexpr int kAxisBits = 10;
 constexpr std::size_t kGrain = 16384;
 
-/// Two zeros between the ten bits.
+/// Inserts two zero bits between each two of the ten lowest bits.
 std::uint64_t spread_bits(std::uint64_t v)
 {
     v = (v | v << 16) & 0x030000FF;
@@ -53,7 +53,8 @@ std::uint64_t spread_bits(std::uint64_t v)
     return v;
 }
 
-/// From coordinates in a box to their place on the curve. What is no number comes first.
+/// Maps points in the bounding box to keys along the z-order curve. A NaN coordinate counts as the
+/// lowest.
 struct Curve {
     glm::vec3 low{std::numeric_limits<float>::infinity()};
     glm::vec3 scale{0};
@@ -72,7 +73,7 @@ struct Curve {
         }
     }
 
-    std::uint64_t place(const glm::vec3& p) const
+    std::uint64_t key_of(const glm::vec3& p) const
     {
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +85,7 @@ struct Curve {
     }
 };
 
-/// Sorts by the upper 32 bits, ten at a time.
+/// Radix sort by the upper 32 bits, ten bits a pass.
 void sort_keys(Buffer<std::uint64_t>& keys, Buffer<std::uint64_t>& spare)
 {
     constexpr int kDigit = 10;
@@ -113,7 +114,7 @@ void make_point_set(std::span<const glm::vec3> points, std::span<const std::uint
         set.spare.resize(points.size());
         tasks.for_ranges(points.size(), kGrain, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k)
-                set.key[k] = curve.place(points[k]) << 32 | k;
+                set.key[k] = curve.key_of(points[k]) << 32 | k;
         });
         sort_keys(set.key, set.spare);
     }

@@ -1,4 +1,4 @@
-// point_set.h - points that are no pixels, in an order in which neighbours lie close together.
+// point_set.h - arbitrary points to test for shadows, sorted so that neighbours are near in memory.
 #pragma once
 
 #include "base/buffer.h"
@@ -13,25 +13,27 @@
 
 namespace firsthit {
 
-/// World space, structure of arrays. Made once for all lights; what was given has to stay.
+/// Points in world space, as a structure of arrays. Made once and used for all lights. Keeps views
+/// of the caller's arrays, which must outlive it.
 struct PointSet {
     std::span<const glm::vec3> given;
-    std::span<const std::uint32_t> receivers; // the triangles that they lie on, or empty
-    Buffer<float> x, y, z;                    // in the set's order
-    Buffer<std::uint32_t> number;             // of each point among the given
+    std::span<const std::uint32_t> receivers; // the triangle that each lies on; may be empty
+    Buffer<float> x, y, z;                    // in sorted order
+    Buffer<std::uint32_t> number;             // index of each sorted point in `given`
 
-    Buffer<std::uint64_t> key, spare; // while ordering
+    Buffer<std::uint64_t> key, spare; // scratch memory of sorting
 };
 
-/// ordered    along a curve that fills the points' box, which costs about as much as testing them
-///            against a light once, and makes each test several times faster where they were given
-///            in no order
+/// Copies the points, sorted if `ordered`.
+/// ordered    sort along a space-filling curve. Costs about as much as testing the points against
+///            one light, and makes each test several times faster for points in random order
 /// receivers  see firsthit/occlusion.h
-/// source     Morton 1966 (the order of a z-curve)
+/// source     Morton 1966, "A Computer Oriented Geodetic Data Base" (z-order curve)
 void make_point_set(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
     bool ordered, PointSet& set, Tasks& tasks);
 
-/// Points [first, first + chunk.count) as the light sees them; ids are the numbers of the given.
+/// Moves the sorted points [first, first + chunk.count) into the light's space. Their ids are their
+/// indices in `given`.
 void move_points(
     const PointSet& set, const PencilSpace& space, std::size_t first, PointChunk& chunk);
 

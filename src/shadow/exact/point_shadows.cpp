@@ -1,4 +1,4 @@
-// point_shadows.cpp - shadows of points that are no pixels.
+// point_shadows.cpp - exact shadows at arbitrary points.
 #include "shadow/exact/point_shadows.h"
 
 #include "base/stopwatch.h"
@@ -9,7 +9,7 @@
 namespace firsthit {
 namespace {
 
-constexpr std::size_t kChunk = 1024; // points: small enough for many to lie behind one wall
+constexpr std::size_t kChunk = 1024; // points; a small chunk is often hidden by one occluder
 
 class GivenPoints : public PencilPoints {
   public:

@@ -1,4 +1,4 @@
-// point_shadows.h - shadows of points that are no pixels.
+// point_shadows.h - exact shadows at arbitrary points.
 #pragma once
 
 #include "shadow/exact/exact_shadows.h"
@@ -9,8 +9,7 @@
 
 namespace firsthit {
 
-/// Which points a light does not reach: shadowed[k] = 1 where a triangle shadows the point that was
-/// given as number k, else 0.
+/// Writes shadowed[k] = 1 where a triangle shadows points.given[k] from the light, else 0.
 void test_points(const World& world, const PencilSpace& space, const PointSet& points,
     ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed);
 

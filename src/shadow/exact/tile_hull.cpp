@@ -1,4 +1,4 @@
-// tile_hull.cpp - where the hits of a tile are, seen from outside of it.
+// tile_hull.cpp - a convex hull around the hits of a tile.
 #include "shadow/exact/tile_hull.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -23,7 +23,7 @@ std::array<float, 2> depths_of(const HitTile& hits)
     return {depths.nearest, depths.farthest};
 }
 
-/// The largest size of some numbers.
+/// The largest absolute value of some numbers.
 float largest_of(const float* value, std::size_t count)
 {
     const RealTag d;

@@ -1,4 +1,4 @@
-// tile_hull.h - where the hits of a tile are, seen from outside of it.
+// tile_hull.h - a convex hull around the hits of a tile.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -10,20 +10,22 @@
 
 namespace firsthit {
 
-/// Of all that is added up to a hit's position: float's roundings on the way are a sixteenth of that.
+/// Bound of a hit position's rounding error, relative to the sum of the sizes of the terms that are
+/// added up to it. The float roundings themselves are at most a sixteenth of this.
 inline constexpr double kPositionRounding = 0x1p-18;
 
-/// The hits of a tile lie in the hull of eight points: the corner rays at the least and the greatest
-/// depth. Each coordinate of a hit is at most `rounding` away. World space.
+/// The hits of a tile lie in the convex hull of eight points: the tile's corner rays at its least
+/// and at its greatest depth. Because of rounding, each coordinate of a hit may be up to `rounding`
+/// outside. World space.
 struct TileHull {
     std::array<glm::dvec3, 8> corner;
     double rounding = 0;
-    bool empty = true; // no hits
+    bool empty = true; // the tile has no hits
 };
 
 TileHull tile_hull(const HitTile& hits);
 
-/// The largest size of a coordinate.
+/// The largest absolute value of all coordinates; 0 without points.
 float largest_coordinate(std::span<const glm::vec3> points);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// tile_occlusion.cpp - tiles that a wall hides from a light as a whole.
+// tile_occlusion.cpp - occluder culling: finds tiles that one large occluder hides from a light.
 #include "shadow/exact/tile_occlusion.h"
 
 #include "irregular/mesh/face_occluders.h"
@@ -15,13 +15,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::uint32_t kFewTriangles = 12;  // of a part: a box
-constexpr std::size_t kMostOccluders = 8192; // 40 ns each for every light
+constexpr std::uint32_t kFewTriangles = 12;  // of a scene part; a box has 12
+constexpr std::size_t kMostOccluders = 8192; // each costs about 40 ns for every light
 
-/// The triangles of parts that have few; where these would be too many, of parts with fewer.
+/// Lists the triangles of all scene parts with at most kFewTriangles triangles; if these are more
+/// than kMostOccluders, lowers the limit for a scene part until they are not.
 void find_occluders(const Scene& scene, Buffer<std::uint32_t>& occluders)
 {
-    std::array<std::size_t, kFewTriangles + 1> triangles{}; // of all parts that have so many
+    std::array<std::size_t, kFewTriangles + 1> triangles{}; // in scene parts of k triangles, by k
     for (const Part& part : scene.parts)
         if (part.triangle_count <= kFewTriangles)
             triangles[part.triangle_count] += part.triangle_count;
@@ -49,23 +50,24 @@ Corners corners_in_light_space(const World& world, const PencilSpace& space, std
     return {to_light(space, at[c.x]), to_light(space, at[c.y]), to_light(space, at[c.z])};
 }
 
-/// How far a hit, lifted off its triangle, may lie outside of its tile's hull, each coordinate.
+/// How far outside its tile's hull each coordinate of a lifted hit may lie, in the light's space.
 double slack_of(const TileHull& hull, const PencilSpace& space, double farthest)
 {
     const double light = double(largest_coordinate(space.origin)) + double(space.reach);
-    const double corner = 2 * (farthest + light); // of any triangle, in the light's space
-    constexpr double kUnderflow = 0x1p-140;       // of floats near zero
+    const double corner = 2 * (farthest + light); // bounds any corner in the light's space
+    constexpr double kUnderflow = 0x1p-140;       // absolute rounding error of floats near zero
     return 2 * hull.rounding + kPositionRounding * light + double(kShadowMargin) * corner +
            kUnderflow;
 }
 
-/// The bounds of points with some slack, as a face sees them; nothing where it does not see all.
-std::optional<SampleBounds> seen_by(
+/// The bounds on a face of boxes of half side `slack` around the points; nothing if the face does
+/// not see all of them.
+std::optional<SampleBounds> project_bounds(
     const CubeFace& face, const std::array<dvec3, 8>& points, double slack)
 {
     SampleBounds bounds;
     for (const dvec3& p : points) {
-        // Farther out there might be points without a shadow ray.
+        // A point beyond kFarthest has no shadow ray, so it is never in shadow.
         if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) + slack < kFarthest))
             return {};
         const double a = p[face.axis_a], b = p[face.axis_b], c = double(face.sign) * p[face.axis_c];
@@ -89,8 +91,9 @@ std::optional<SampleBounds> seen_by(
     return bounds;
 }
 
-/// One face for all tiles where there is one; else each has that where it is nearest to the middle.
-void look_at_tiles(const PencilSpace& space, TileOcclusion& tile_occlusion, Tasks& tasks)
+/// Projects every tile's hull onto a face of the light: onto one common face if a single face sees
+/// all tiles, else each onto the face whose axis it is nearest to.
+void project_tiles(const PencilSpace& space, TileOcclusion& tile_occlusion, Tasks& tasks)
 {
     const auto box_of = [&](const TileHull& hull) {
         VertexBox box;
@@ -104,22 +107,22 @@ void look_at_tiles(const PencilSpace& space, TileOcclusion& tile_occlusion, Task
     for (const TileHull& hull : tile_occlusion.hulls.span())
         if (!hull.empty) all.add(box_of(hull));
     const int common = space.directional ? 0 : find_wide_face(all);
-    tile_occlusion.sights.resize(tile_occlusion.hulls.size());
+    tile_occlusion.bounds.resize(tile_occlusion.hulls.size());
     tasks.for_each(tile_occlusion.hulls.size(), [&](std::size_t tile, std::size_t) {
         const TileHull& hull = tile_occlusion.hulls[tile];
-        TileSight& sight = tile_occlusion.sights[tile] = {};
+        TileBounds& projected = tile_occlusion.bounds[tile] = {};
         if (hull.empty) return;
         const int number = common >= 0 ? common : find_wide_face(box_of(hull));
         if (number < 0) return;
         std::array<dvec3, 8> points;
         for (std::size_t k = 0; k < 8; ++k) points[k] = in_light_space(space, hull.corner[k]);
-        const auto bounds = seen_by(cube_face(space.directional, number), points,
+        const auto bounds = project_bounds(cube_face(space.directional, number), points,
             slack_of(hull, space, tile_occlusion.farthest));
-        if (bounds) sight = {number, *bounds};
+        if (bounds) projected = {number, *bounds};
     });
 }
 
-/// The box of a triangle, about; false where the face does not see it.
+/// The approximate bounding box of a triangle on a face; false if the face does not see it.
 bool project_triangle_to_face(const CubeFace& face, const Corners& corners, ProjectedTriangle& box)
 {
     if (!usable(corners)) return false;
@@ -140,27 +143,28 @@ bool project_triangle_to_face(const CubeFace& face, const Corners& corners, Proj
     return true;
 }
 
-/// The triangles that cover most of what a face sees.
+/// Chooses the triangles that cover the largest parts of the bounds on a face.
 FaceOccluders occluders_of(const World& world, const PencilSpace& space, const CubeFace& face,
     const SampleBounds& bounds, std::span<const std::uint32_t> occluders)
 {
     FaceOccluderChoice choice(bounds);
-    for (const std::uint32_t wall : occluders) {
-        ProjectedTriangle box{wall, 0, 0, 0, 0, 0};
-        if (project_triangle_to_face(face, corners_in_light_space(world, space, wall), box))
+    for (const std::uint32_t triangle : occluders) {
+        ProjectedTriangle box{triangle, 0, 0, 0, 0, 0};
+        if (project_triangle_to_face(face, corners_in_light_space(world, space, triangle), box))
             choice.offer(box);
     }
     return choice.occluders;
 }
 
-/// What one light's face sees of the occluders, and asks of them.
+/// The occluders of one face of a light.
 struct Occluders {
     const World& world;
     const PencilSpace& space;
     CubeFace face;
     FaceOccluders occluders;
 
-    /// Whether one of the triangles certainly shadows all hits of the tile, or one and the next.
+    /// Whether one occluder (a triangle, or a pair of triangles with consecutive ids) certainly
+    /// shadows all hits of the tile.
     bool hide(const SampleBounds& bounds, const HitTile& hits) const
     {
         for (const ProjectedTriangle& seen : occluders.span()) {
@@ -179,7 +183,8 @@ struct Occluders {
     }
 
   private:
-    /// The other one may be the neighbour in a quad or a fan, or none.
+    /// Tests a triangle together with one of a consecutive id, which in a quad or a fan is its
+    /// neighbour; it need not be.
     bool hide_with(std::uint32_t first, const Corners& corners, std::uint32_t second,
         const SampleBounds& bounds, const HitTile& hits) const
     {
@@ -223,25 +228,25 @@ void add_hits(const HitTile& hits, std::size_t tile, TileOcclusion& tile_occlusi
 bool find_occluded_tiles(const World& world, const PencilSpace& space,
     std::span<const HitTile> tiles, TileOcclusion& tile_occlusion, Tasks& tasks)
 {
-    look_at_tiles(space, tile_occlusion, tasks);
+    project_tiles(space, tile_occlusion, tasks);
     const auto on_face = [&](int face) {
         return Occluders{world, space, cube_face(space.directional, face), {}};
     };
     std::array faces{on_face(0), on_face(1), on_face(2), on_face(3), on_face(4), on_face(5)};
     for (int face = 0; face < kCubeFaces; ++face) {
         SampleBounds bounds;
-        for (const TileSight& sight : tile_occlusion.sights.span())
-            if (sight.face == face) bounds.add(sight.bounds);
+        for (const TileBounds& tile : tile_occlusion.bounds.span())
+            if (tile.face == face) bounds.add(tile.bounds);
         if (bounds.x0 <= bounds.x1)
             faces[std::size_t(face)].occluders = occluders_of(world, space,
                 faces[std::size_t(face)].face, bounds, tile_occlusion.occluders.span());
     }
     tile_occlusion.hidden.resize(tiles.size());
     tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
-        const TileSight& sight = tile_occlusion.sights[tile];
+        const TileBounds& seen = tile_occlusion.bounds[tile];
         tile_occlusion.hidden[tile] =
             tile_occlusion.hulls[tile].empty ||
-            (sight.face >= 0 && faces[std::size_t(sight.face)].hide(sight.bounds, tiles[tile]));
+            (seen.face >= 0 && faces[std::size_t(seen.face)].hide(seen.bounds, tiles[tile]));
     });
     const auto hidden = tile_occlusion.hidden.span();
     return std::find(hidden.begin(), hidden.end(), 0) == hidden.end();

@@ -1,11 +1,11 @@
-// tile_occlusion.h - tiles that a wall hides from a light as a whole: behind a wall, under a roof.
+// tile_occlusion.h - occluder culling: finds tiles that one large occluder hides from a light.
 //
-// Their hits need no shadow rays, nor does anything have to be made for them. A wall is a triangle, or
-// two neighbours with a common edge. Only triangles of parts that have few are tried, as occluders and roofs
-// do: no pass over a mesh.
+// All hits of such a tile are in shadow, so they need no shadow rays and no shadow map. An occluder
+// is one triangle, or two triangles with a common edge. Only triangles of scene parts with few
+// triangles are tried, since walls and roofs are modelled that way; meshes are not searched.
 //
-// source  Hudson et al. 1997, "Accelerated Occlusion Culling using Shadow Frusta" (what a large polygon
-//         hides from the eye)
+// source  Hudson et al. 1997, "Accelerated Occlusion Culling using Shadow Frusta" (what a large
+//         polygon hides from the eye)
 #pragma once
 
 #include "base/buffer.h"
@@ -22,37 +22,37 @@
 
 namespace firsthit {
 
-/// A tile's hits as a face of a light sees them; -1: no single face does.
-struct TileSight {
+/// The bounds of a tile's hits on a face of a light; face -1: no single face sees all of them.
+struct TileBounds {
     int face = -1;
     SampleBounds bounds;
 };
 
-/// Kept from frame to frame.
+/// Memory that is kept from frame to frame.
 struct TileOcclusion {
-    Buffer<std::uint32_t> occluders; // triangles of parts that have few
-    double farthest = 0;             // largest coordinate of all vertices, world space
+    Buffer<std::uint32_t> occluders; // triangles of scene parts with few triangles
+    double farthest = 0;             // largest absolute coordinate of all vertices, world space
     Buffer<TileHull> hulls;          // (tiles)
-    Buffer<TileSight> sights;        // (tiles) of one light
-    Buffer<std::uint8_t> hidden;     // (tiles) of one light: all hits certainly lie in the shadow
-    Buffer<float> range_farthest;    // (ranges) of vertices
+    Buffer<TileBounds> bounds;       // (tiles) for the current light
+    Buffer<std::uint8_t> hidden;     // (tiles) for the current light: 1 if all hits are in shadow
+    Buffer<float> range_farthest;    // (ranges of vertices) scratch memory of `farthest`
 
-    /// Whether there is something to try.
+    /// Whether there are occluders to try.
     bool has_occluders() const { return occluders.size() > 0; }
 };
 
-/// Begins a part of the picture. Costs next to nothing in a scene without small parts.
+/// Begins a picture part: finds the occluders. Costs next to nothing in a scene without any.
 void start_tile_occlusion(
     const World& world, std::size_t tiles, TileOcclusion& tile_occlusion, Tasks& tasks);
 
-/// Takes note of where a tile's hits are. For all tiles if tile_occlusion.has_occluders(); calls for several tiles
-/// may overlap.
+/// Records where a tile's hits are. To be called for every tile if tile_occlusion.has_occluders().
+/// Calls for different tiles may run at the same time.
 void add_hits(const HitTile& hits, std::size_t tile, TileOcclusion& tile_occlusion);
 
-/// Fills in tile_occlusion.hidden for one light; tiles without hits are hidden. One that is not said to be
-/// hidden may be so nevertheless. Needs occluders.
+/// Fills in tile_occlusion.hidden for one light. Tiles without hits count as hidden. Conservative:
+/// a tile that is not marked as hidden may be in shadow nevertheless. Requires occluders.
 /// space   of the light
-/// tiles   all that were added
+/// tiles   those given to add_hits, in the same order
 /// returns whether all tiles are hidden
 bool find_occluded_tiles(const World& world, const PencilSpace& space,
     std::span<const HitTile> tiles, TileOcclusion& tile_occlusion, Tasks& tasks);

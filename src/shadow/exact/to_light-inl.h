@@ -1,4 +1,4 @@
-// to_light-inl.h - points into a light's space, a register at a time.
+// to_light-inl.h - moves points into a light's space, a register at a time.
 #if defined(FIRSTHIT_SHADOW_EXACT_TO_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_EXACT_TO_LIGHT_INL_H_
 #undef FIRSTHIT_SHADOW_EXACT_TO_LIGHT_INL_H_
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// to_light (exact/shadow_ray.h), the same bits.
+/// Vector version of to_light() (exact/shadow_ray.h), with the same bits.
 HWY_INLINE real3 to_light(const PencilSpace& space, real3 p)
 {
     if (!space.directional) return p - real3(space.origin.x, space.origin.y, space.origin.z);
