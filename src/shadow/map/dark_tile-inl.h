@@ -1,9 +1,10 @@
-// dark_tile-inl.h - tiles that a map shows to be in shadow as a whole, without a look at its texels.
+// dark_tile-inl.h - finds tiles that are wholly in shadow by testing 16x16 texel cells of a map.
 //
-// Where a roof covers what is seen, tile after tile is dark. The texels that a tile's hits look at lie
-// in some of the map's cells (store_depth.h): where the farthest depth of these cells is before all
-// hits, every comparison of is_shadowed says dark. Other tiles are left to the comparisons, so the
-// answer is always theirs. (That all is lit is seldom seen so: a lit surface is in the map itself.)
+// The texels that a tile's hits sample lie in a few of the map's cells (store_depth.h). If the
+// farthest depth of these cells is in front of all hits, every comparison of is_shadowed would find
+// shadow, so the texels need not be read. Many tiles under a roof are like this. All other tiles
+// are sampled texel by texel, so this never changes the answer. (The opposite test, for tiles that
+// are wholly lit, would seldom succeed, because a lit surface is in the map itself.)
 #if defined(FIRSTHIT_SHADOW_MAP_DARK_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_MAP_DARK_TILE_INL_H_
 #undef FIRSTHIT_SHADOW_MAP_DARK_TILE_INL_H_
@@ -18,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Least and greatest of all lanes.
+/// Least and greatest value of all lanes.
 struct LaneRange {
     float least, greatest;
 };
@@ -35,23 +36,24 @@ HWY_INLINE LaneRange lane_range(const real3 (&p)[HitHull::kRegisters], real real
         hn::GetLane(hn::MaxOfLanes(d, greatest.lanes))};
 }
 
-/// The depths of a rectangle of a map, and of hits above it.
+/// The depths of a tile's hits, and the farthest depth of the map's cells under them.
 struct MapDepths {
     LaneRange hits;
-    float farthest = std::numeric_limits<float>::infinity(); // of the map
+    float farthest = std::numeric_limits<float>::infinity(); // of the map's cells
 };
 
-/// hull       of the hits: (column, row, depth) of the map; the first two times the depth unless
-///            `parallel`
-/// reach      texels around a point that are looked at, and one for rounding
-/// width, height  of the map, texels
+/// hull           of the hits, in (column, row, depth) of the map; column and row are multiplied by
+///                the depth unless `parallel`
+/// reach          how many texels around a point are sampled, plus one for rounding
+/// width, height  of the map, in texels
+/// returns        farthest = +inf where the hull has no bounds in the map or covers too many cells
 HWY_INLINE MapDepths depths_under(
     HitHull hull, bool parallel, const FarthestDepths& farthest, int width, int height, float reach)
 {
     MapDepths depths;
     depths.hits = lane_range(hull.p, &real3::z);
     if (!(depths.hits.greatest < 1e30f && depths.hits.least > (parallel ? -1e30f : 0.0f)))
-        return depths; // some may have no shadow ray
+        return depths; // some hits may have no shadow ray
     if (!parallel)
         for (real3& p : hull.p) {
             const real inv_depth = real(1.0f) / p.z;
@@ -65,7 +67,7 @@ HWY_INLINE MapDepths depths_under(
     };
     const int x0 = cell(column.least - reach, width), x1 = cell(column.greatest + reach, width);
     const int y0 = cell(row.least - reach, height), y1 = cell(row.greatest + reach, height);
-    constexpr int kMost = 16; // cells on a side, far more than a tile of a fitted map takes
+    constexpr int kMost = 16; // cells on a side; far more than a tile covers in a fitted map
     if (x1 - x0 >= kMost || y1 - y0 >= kMost) return depths;
     depths.farthest = farthest.at(x0, y0);
     for (int y = y0; y <= y1; ++y)

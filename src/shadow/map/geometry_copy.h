@@ -1,4 +1,4 @@
-// geometry_copy.h - has the geometry changed since it was last looked at?
+// geometry_copy.h - tells whether the geometry has changed since the last frame.
 #pragma once
 
 #include "base/buffer.h"
@@ -11,23 +11,24 @@
 
 namespace firsthit {
 
-/// A copy of a world's triangles: comparing bytes is as fast as a hash, and certain. 12 bytes a
-/// vertex and a triangle.
+/// A copy of a world's triangles to compare with. Comparing bytes is as fast as hashing them, and
+/// certain. Takes 12 bytes for each vertex and 12 for each triangle.
 struct GeometryCopy {
     Buffer<glm::vec3> position;
     Buffer<glm::uvec3> index;
-    bool moving = false;       // positions differed last time
-    std::size_t moved = 0;     // where they did first
-    bool anyway = false;       // nobody needed to know last time
-    bool is_old = false;       // not all was looked at
-    std::uint64_t version = 0; // counts the changes
+    bool moving = false;       // positions differed in the last full comparison
+    std::size_t moved = 0;     // start of the first range of positions that differed
+    bool skipped = false;      // the last call did not need to compare
+    bool is_stale = false;     // the copy may differ from the geometry of the last call
+    std::uint64_t version = 0; // increases with each change
 };
 
-/// Counts a version where a byte differs from the last time, and brings the copy up to date. While
-/// positions move from frame to frame, only those that moved are looked at, and while nobody needs to
-/// know, nothing is: the first frame after that counts as changed too.
+/// Increases copy.version if a byte of the geometry differs from the copy, and updates the copy.
+/// Saves time in two cases, in which the copy becomes stale: while positions move from frame to
+/// frame, only the range that moved first is compared; and while remake_all stays true, nothing is.
+/// The first full comparison after that counts as a change.
 ///
-/// anyway  whatever depends on the geometry is made anew, changed or not
-void follow(const World& world, bool anyway, GeometryCopy& copy, Tasks& tasks);
+/// remake_all  everything that depends on the geometry is made again in any case
+void update_copy(const World& world, bool remake_all, GeometryCopy& copy, Tasks& tasks);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// hit_bounds.cpp - the part of a light's projection that visible hits fill.
+// hit_bounds.cpp - bounds of the visible hits on the faces of a light.
 #include "shadow/map/hit_bounds.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -15,12 +15,12 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Bounds lane by lane.
+/// FaceBounds, accumulated lane by lane.
 struct LaneBounds {
     real x0, y0, x1, y1;
     std::uint64_t hits;
 
-    // Written out: the compiler's own would not be compiled for the target.
+    // Not defaulted, because an implicit constructor is not compiled for the SIMD target.
     HWY_INLINE LaneBounds()
         : x0(FaceBounds::kInfinity),
           y0(FaceBounds::kInfinity),
@@ -56,7 +56,7 @@ HWY_INLINE void add_on_face(int face, truth chosen, real3 p, LaneBounds& bounds)
     bounds.add(chosen, c[axes.x] * inv_z, c[axes.y] * inv_z);
 }
 
-/// Hits, one by one.
+/// Adds a register of hits one by one.
 HWY_INLINE void add_points(
     const LightFrame& light, truth chosen, real3 p, LaneBounds (&bounds)[kFaces])
 {
@@ -77,8 +77,8 @@ HWY_INLINE void add_points(
     }
 }
 
-/// Where all eight points around a block's hits are on one face, so are the hits, and the points
-/// bound them. False where they are not.
+/// If all eight points of the hull of a block's hits lie on one face, so do the hits: adds the
+/// points as bounds of the hits. Else adds nothing and returns false.
 HWY_INLINE bool add_hull(const LightFrame& light, const RayTransform& to, float x, float y,
     const HitDepths& depths, LaneBounds (&bounds)[kFaces])
 {

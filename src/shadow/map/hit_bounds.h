@@ -1,4 +1,4 @@
-// hit_bounds.h - the part of a light's projection that visible hits fill.
+// hit_bounds.h - bounds of the visible hits on the faces of a light.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -10,8 +10,8 @@
 
 namespace firsthit {
 
-/// The rectangle of a face that hits fill, or a little more: x / z and y / z of the face's axes, or
-/// x and y where the light is parallel. Empty where hits = 0.
+/// The bounding rectangle of the hits on one face, or a little more, in x / z and y / z of the
+/// face's axes; in x and y if the light is parallel. Empty if hits = 0.
 struct FaceBounds {
     static constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -23,8 +23,8 @@ struct FaceBounds {
 
 using LightBounds = std::array<FaceBounds, kFaces>;
 
-/// Adds a tile's hits. Hits outside of a spot's cone, and those without a shadow ray
-/// (exact/shadow_ray.h), do not count. The result does not depend on the order of tiles.
+/// Adds a tile's hits. Hits outside a spot light's cone and hits without a shadow ray
+/// (exact/shadow_ray.h) are ignored. The result does not depend on the order of tiles.
 void add_hits(const HitTile& hits, const LightFrame& light, LightBounds& bounds);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// light_frame.cpp - the directions into which a light's shadow maps look.
+// light_frame.cpp - the axes of a light's shadow maps.
 #include "shadow/map/light_frame.h"
 
 #include "exact/shadow_ray.h"

@@ -1,13 +1,13 @@
-// light_frame.h - the directions into which a light's shadow maps look.
+// light_frame.h - the axes of a light's shadow maps.
 //
-// A frame's z is the way a spot or directional light goes; a point light has the world's axes. A
-// light that shines to all sides has six faces, each a pyramid of 90 degrees around an axis:
+// A frame's z axis is the direction in which a spot or directional light shines; a point light uses
+// the world's axes. A point light has six faces, each a pyramid of 90 degrees around an axis:
 //
 //     face 2 a + 0: around +axis a      its x is axis a + 1, its y axis a + 2, cyclically
-//     face 2 a + 1: around -axis a      the same x and y: a mirror image, which no test minds
+//     face 2 a + 1: around -axis a      the same x and y: mirrored, which changes no depth test
 //
-// A light with one face has face 4, around +z. A spot whose cone is too wide for one picture has six
-// faces as well.
+// All other lights have one face, number 4, around +z. The exception is a spot light whose cone is
+// wider than kWidestTangent: it has six faces.
 #pragma once
 
 #include <firsthit/scene.h>
@@ -22,11 +22,11 @@ namespace firsthit {
 inline constexpr int kFaces = 6;
 inline constexpr int kOnlyFace = 4; // of a light with one face
 
-/// Tangent of the widest half angle that one face looks at: 63 degrees.
+/// Tangent of the largest half angle that one face covers: 63 degrees.
 inline constexpr double kWidestTangent = 2;
 
 struct LightFrame {
-    bool parallel = false; // the light's rays: along z, or from the origin
+    bool parallel = false; // the light's rays run along z; else they start at the origin
     bool cube = false;     // six faces
     glm::dvec3 origin{0};  // world space; 0 where parallel
     glm::dmat3 axes{1};    // frame_from_world, orthonormal
@@ -37,7 +37,7 @@ struct LightFrame {
 
 LightFrame light_frame(const Light& light);
 
-/// Which of the frame's axes a face's x, y and z are, and whether it looks along -z.
+/// Which of the frame's axes (0 to 2) a face uses as x, y and z, and whether it looks along -z.
 struct FaceAxes {
     int x, y, z;
     bool backwards;
@@ -49,7 +49,7 @@ constexpr FaceAxes face_axes(int face)
     return {(z + 1) % 3, (z + 2) % 3, z, face % 2 == 1};
 }
 
-/// face_from_world of a face, as columns. Points are taken relative to the frame's origin.
+/// The rotation face_from_world of a face, for points relative to the frame's origin.
 glm::dmat3 face_matrix(const LightFrame& frame, int face);
 
 } // namespace firsthit

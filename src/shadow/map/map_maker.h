@@ -1,4 +1,4 @@
-// map_maker.h - who makes the depths of shadow maps: our rasteriser, or OpenGL.
+// map_maker.h - interface of whatever makes shadow maps in the place of our rasteriser: OpenGL.
 #pragma once
 
 #include "base/tasks.h"
@@ -16,7 +16,8 @@ class MapMaker {
     MapMaker& operator=(const MapMaker&) = delete;
     virtual ~MapMaker() = default;
 
-    /// Makes maps.changed from their sources: matrix, origin, offset, depth and farthest of each.
+    /// Makes the maps listed in maps.changed from their sources: fills in matrix, origin, offset,
+    /// depth and farthest of each.
     virtual void make(const World& world, ShadowMaps& maps, Tasks& tasks) = 0;
 };
 

@@ -1,4 +1,4 @@
-// merge_faces.cpp - one map instead of several, where it can see all hits.
+// merge_faces.cpp - uses one map instead of several where a single face can see all hits.
 #include "shadow/map/merge_faces.h"
 
 #include <algorithm>
@@ -7,9 +7,10 @@
 namespace firsthit {
 namespace {
 
-/// Adds a face's rectangle as another face sees it: the projections of its corners, since the
-/// projection of a convex cone is the hull of its edges'. False where one is too far out.
-bool add_seen_from(int face, int from, const FaceBounds& from_bounds, FaceBounds& bounds)
+/// Projects the rectangle of face `from` onto another face and adds it to `bounds`. Projecting the
+/// corners is enough, since the rectangle's cone is convex. False if a corner is beyond
+/// kWidestTangent.
+bool add_projected_rectangle(int face, int from, const FaceBounds& from_bounds, FaceBounds& bounds)
 {
     const FaceAxes to_axes = face_axes(face), axes = face_axes(from);
     for (int corner = 0; corner < 4; ++corner) {
@@ -18,7 +19,7 @@ bool add_seen_from(int face, int from, const FaceBounds& from_bounds, FaceBounds
         p[axes.y] = corner & 2 ? double(from_bounds.y1) : double(from_bounds.y0);
         p[axes.z] = axes.backwards ? -1 : 1;
         const double z = to_axes.backwards ? -p[to_axes.z] : p[to_axes.z];
-        // A little more than the bounds' rounding.
+        // With a tolerance that is larger than the rounding errors of the bounds.
         const double limit = kWidestTangent * z * (1 + 0x1p-20);
         if (!(z > 0 && std::abs(p[to_axes.x]) <= limit && std::abs(p[to_axes.y]) <= limit))
             return false;
@@ -43,7 +44,7 @@ void merge_faces(LightBounds& bounds)
         for (int from = 0; from < kFaces && seen; ++from) {
             const FaceBounds& other = bounds[std::size_t(from)];
             if (other.hits == 0) continue;
-            seen = add_seen_from(face, from, other, all);
+            seen = add_projected_rectangle(face, from, other, all);
             all.hits += other.hits;
         }
         const double area = (double(all.x1) - double(all.x0)) * (double(all.y1) - double(all.y0));

@@ -1,4 +1,4 @@
-// raster_depth.cpp - the depth of one tile of a shadow map.
+// raster_depth.cpp - rasterises the depth of one tile of a shadow map.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/map/raster_depth.cpp"
 #include "base/simd.h"
@@ -23,18 +23,19 @@ namespace {
 using Wide = hn::CappedTag<double, 8>;
 using Narrow = hn::Rebind<float, Wide>;
 
-/// Of an edge, far beyond what its slopes reach in a tile (see kFlattest in visibility/bin/project.cpp).
+/// A value of an edge function's c that no slope can make positive inside a tile (see kFlattest in
+/// visibility/bin/project.cpp).
 constexpr double kOutside = -0x1p100;
 
-/// No number gives the least.
+/// w clamped to [least, greatest]; NaN gives `least`.
 template <class D>
-HWY_INLINE hn::Vec<D> between(D, hn::Vec<D> w, hn::Vec<D> least, hn::Vec<D> greatest)
+HWY_INLINE hn::Vec<D> clamp_w(D, hn::Vec<D> w, hn::Vec<D> least, hn::Vec<D> greatest)
 {
     return hn::Min(hn::IfThenElse(hn::Gt(w, least), w, least), greatest);
 }
 
-/// Inside is where edges, computed in float, are not below zero: c has the bound of their error added,
-/// kEdgeError of what they reach in the tile's box.
+/// Adds to an edge function's c the bound of its float rounding error inside the triangle's box
+/// (kEdgeError times its largest value there), so that every sample inside is >= 0 in float too.
 HWY_INLINE hn::Vec<Wide> with_error(
     DepthTile& tile, int i, hn::Vec<Wide> gx, hn::Vec<Wide> gy, hn::Vec<Wide> c)
 {
@@ -47,8 +48,8 @@ HWY_INLINE hn::Vec<Wide> with_error(
     return hn::Add(c, hn::Mul(size, hn::Set(d, double(kEdgeError))));
 }
 
-/// Edges and depth of one register of the batch, starting with number i, from flat corners. Computed
-/// in double and rounded once.
+/// Computes edges and depth of one register of the batch, starting at triangle i, from projected
+/// corners. Computed in double and rounded once.
 void set_up_flat(DepthTile& tile, int i, float x0, float y0)
 {
     const Wide d;
@@ -71,8 +72,8 @@ void set_up_flat(DepthTile& tile, int i, float x0, float y0)
         gy[k] = hn::Sub(x[q], x[p]);
         c[k] = hn::Sub(hn::Mul(x[p], y[q]), hn::Mul(y[p], x[q]));
     }
-    // Twice the area, exact but for its last sum: corners' differences are exact or lose what float
-    // cannot show.
+    // Twice the area. Exact but for the last sum: the corners' differences are exact, or lose only
+    // digits that float cannot represent.
     const V area = hn::Sub(hn::Mul(gx[1], gy[2]), hn::Mul(gy[1], gx[2]));
     const auto edge_on = hn::Eq(area, hn::Zero(d));
     const V sense = hn::And(area, hn::Set(d, -0.0));
@@ -92,13 +93,13 @@ void set_up_flat(DepthTile& tile, int i, float x0, float y0)
     store(slope(gy), tile.wy);
     store(hn::Add(w0, slope(c)), tile.wc);
 
-    // Its depths lie between those of its corners, whatever rounding says.
+    // Clamps the depths to those of the corners, which rounding could exceed.
     const auto w = [&](int axis) { return hn::Load(f, tile.corner[axis] + i); };
     hn::Store(hn::Min(w(2), hn::Min(w(5), w(8))), f, tile.least_w + i);
     hn::Store(hn::Max(w(2), hn::Max(w(5), w(8))), f, tile.greatest_w + i);
 }
 
-/// The same from corners in eye space, some of which are behind the eye.
+/// The same from corners in eye space, of which some are behind the eye.
 void set_up_careful(DepthTile& tile, int i, float x0, float y0)
 {
     const Wide d;
@@ -120,7 +121,7 @@ void set_up_careful(DepthTile& tile, int i, float x0, float y0)
     for (int k = 0; k < 3; ++k) {
         const Vector3<V>& n = p.edge[k];
         const V at = at_first(n);
-        // Scaled to at most 1 over the tile, so that they are floats.
+        // Scaled so that |e| <= 1 over the tile, to stay in the range of float.
         const V side = hn::Set(d, double(tile.size));
         const V size = hn::Add(hn::Abs(at), hn::Mul(side, hn::Add(hn::Abs(n.x), hn::Abs(n.y))));
         const V scale = hn::Div(hn::CopySign(one, p.volume), size);
@@ -136,7 +137,7 @@ void set_up_careful(DepthTile& tile, int i, float x0, float y0)
     store(hn::Mul(p.n.y, inverse_volume), tile.wy);
     store(hn::Mul(at_first(p.n), inverse_volume), tile.wc);
 
-    // Its depths lie between those of its corners, whatever rounding says.
+    // Clamps the depths to those of the corners, which rounding could exceed.
     const auto z = [&](int axis) { return hn::Load(f, tile.corner[axis] + i); };
     const auto nearest = hn::Min(z(2), hn::Min(z(5), z(8)));
     const auto farthest = hn::Max(z(2), hn::Max(z(5), z(8)));
@@ -147,9 +148,9 @@ void set_up_careful(DepthTile& tile, int i, float x0, float y0)
         f, tile.greatest_w + i);
 }
 
-/// 1/t at the four corners of boxes of at most 2x2 texels, 0 where the triangle does not cover them
-/// or the box is larger. Most triangles of a fine mesh are decided here, several at once. A box with
-/// one column or row has its texels twice, which does not matter to a maximum.
+/// Computes 1/t at the four corners of triangle boxes of at most 2x2 texels: 0 where the triangle
+/// does not cover the texel or the box is larger. Decides most triangles of a fine mesh, several at
+/// once. A box of one column or row has its texels twice, which does not change a maximum.
 void set_up_tiny(DepthTile& tile, int i)
 {
     const hn::CappedTag<float, 8> f;
@@ -173,7 +174,7 @@ void set_up_tiny(DepthTile& tile, int i)
         const auto edge = [&](int e) { return at(tile.gx[e], tile.gy[e], tile.c[e]); };
         const auto least = hn::Min(edge(0), hn::Min(edge(1), edge(2)));
         const auto inside = hn::And(tiny, hn::Ge(least, hn::Zero(f)));
-        const auto depth = between(f, at(tile.wx, tile.wy, tile.wc), least_w, greatest_w);
+        const auto depth = clamp_w(f, at(tile.wx, tile.wy, tile.wc), least_w, greatest_w);
         hn::Store(hn::IfThenElseZero(inside, depth), f, tile.tiny_w[k] + i);
     }
 }
@@ -188,7 +189,7 @@ HWY_INLINE void store_tiny(DepthTile& tile, int i)
     }
 }
 
-/// Triangle i over the registers of its box.
+/// Rasterises triangle i over the registers of its box.
 HWY_INLINE void raster_triangle(DepthTile& tile, int i)
 {
     const Samples d;
@@ -210,7 +211,7 @@ HWY_INLINE void raster_triangle(DepthTile& tile, int i)
             const auto inside = hn::Ge(least, hn::Zero(d));
             float* at = tile.w.data() + tile.column_offset[x] + tile.row_offset[y];
             const auto stored = hn::Load(d, at);
-            const auto w = between(d, along(wx, rw), least_w, greatest_w);
+            const auto w = clamp_w(d, along(wx, rw), least_w, greatest_w);
             hn::Store(hn::IfThenElse(inside, hn::Max(w, stored), stored), d, at);
         }
     }
@@ -227,7 +228,7 @@ void raster_batch(DepthTile& tile, float x0, float y0)
     }
     for (int i = 0; i < tile.count; i += int(hn::Lanes(hn::CappedTag<float, 8>())))
         set_up_tiny(tile, i);
-    // Sorted by kind without branches, which would often be guessed wrong.
+    // Split into two lists without branches, which would often be mispredicted.
     std::uint8_t tiny[DepthTile::kBatch], larger[DepthTile::kBatch];
     int tiny_count = 0, larger_count = 0;
     for (int i = 0; i < tile.count; ++i) {
@@ -255,7 +256,7 @@ HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, DepthTile
     tile.x0[i] = entry.x0, tile.y0[i] = entry.y0, tile.x1[i] = entry.x1, tile.y1[i] = entry.y1;
 }
 
-/// The tile's farthest depth.
+/// The tile's least 1/t, which belongs to its farthest depth.
 float least_of(const DepthTile& tile)
 {
     const hn::CappedTag<float, 16> d;
@@ -265,13 +266,13 @@ float least_of(const DepthTile& tile)
     return hn::GetLane(hn::MinOfLanes(d, least));
 }
 
-/// Whether the entry's box takes half of the tile's width and height.
+/// Whether the entry's box covers half of the tile's width and height or more.
 HWY_INLINE bool is_large(const TileEntry& entry, int half)
 {
     return entry.x1 - entry.x0 >= half && entry.y1 - entry.y0 >= half;
 }
 
-/// Stores fragments [first, last) of the view.
+/// Merges the fragments [first, last) of the view into the tile.
 void merge(const ViewMemory& view, std::size_t first, std::size_t last, DepthTile& tile)
 {
     float* HWY_RESTRICT w = tile.w.data();
@@ -287,7 +288,8 @@ void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y
         view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
     std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
     merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
-    // Large triangles first: what they hide changes no depth and is left out, as all behind a roof.
+    // Large triangles first. Triangles behind them, such as all below a roof, change no depth and
+    // are skipped.
     const int half = view.tile_size / 2;
     bool any_large = false, any_behind = false;
     const auto raster = [&](const TileEntry& entry) {
@@ -309,7 +311,7 @@ void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y
         if (n + kIndices < entries.size())
             hwy::Prefetch(&view.index[entries[n + kIndices].triangle]);
         const TileEntry& entry = entries[n];
-        // The greatest w that it can leave.
+        // 1 / nearest_z is the greatest w that the triangle can store.
         if (is_behind(entry) || 1.0f / entry.nearest_z <= least) continue;
         if (any_large && is_large(entry, half)) continue;
         if (n + kCorners < entries.size()) {

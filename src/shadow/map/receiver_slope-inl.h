@@ -1,4 +1,4 @@
-// receiver_slope-inl.h - how steeply a light sees each run's triangle, and from which side.
+// receiver_slope-inl.h - the receiver slope of each run's triangle, for the slope bias of maps.
 #if defined(FIRSTHIT_SHADOW_MAP_RECEIVER_SLOPE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_MAP_RECEIVER_SLOPE_INL_H_
 #undef FIRSTHIT_SHADOW_MAP_RECEIVER_SLOPE_INL_H_
@@ -19,20 +19,19 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Runs that are worked out together.
-struct SteepnessBatch {
+/// Runs whose slopes are computed together.
+struct ReceiverSlopeBatch {
     static constexpr int kRuns = 64;
-    alignas(64) float normal[3][kRuns]; // see HitRun
+    alignas(64) float normal[3][kRuns]; // HitRun::plane
     alignas(64) float height[kRuns];
     alignas(64) float receiver_slope[kRuns];
 };
 
-/// Steepness as slope_bias (src/glsl/shadow_map.glsl) takes it, below 0 where the light is not on
-/// the side of the plane that the eye is on.
-///
-/// eye  from the light
+/// Computes the receiver slope that slope_bias (src/glsl/shadow_map.glsl) needs. It is negative
+/// where the light is not on the eye's side of the plane.
+/// eye  position of the eye relative to the light
 HWY_INLINE void find_receiver_slopes(
-    const LightFrame& light, const glm::dvec3& eye, int count, SteepnessBatch& batch)
+    const LightFrame& light, const glm::dvec3& eye, int count, ReceiverSlopeBatch& batch)
 {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> f;
@@ -47,7 +46,8 @@ HWY_INLINE void find_receiver_slopes(
     const Vector3<V> axis_x = set(rows[0]), axis_y = set(rows[1]), axis_z = set(rows[2]);
     const Vector3<V> from_light = set(eye);
     const double largest = std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
-    // What rounding a normal and a height to float may have made of a light in the plane.
+    // How far above the plane a light that lies in it may seem to be, because normal and height
+    // were rounded to float.
     const V share = hn::Set(d, 0x1p-24), most = hn::Set(d, 1e30);
     const V noise = hn::Set(d, light.parallel ? 0x1p-22 : 0x1p-22 * largest);
     for (int i = 0; i < count; i += int(hn::Lanes(d))) {
@@ -56,7 +56,7 @@ HWY_INLINE void find_receiver_slopes(
         const V height = load(batch.height);
         const V across = hn::Add(hn::Abs(dot(n, axis_x)), hn::Abs(dot(n, axis_y)));
         const V along = dot(n, axis_z), size = hn::Add(across, hn::Abs(along));
-        // Of the light above the plane; a parallel one shines along its z.
+        // Height of the light above the plane. A parallel light shines along its z.
         const V above = light.parallel ? hn::Neg(along) : hn::Sub(height, dot(n, from_light));
         const V least = light.parallel ? noise : hn::Add(noise, hn::Mul(share, height));
         const auto seen = hn::And(hn::Gt(above, least), hn::Gt(height, hn::Zero(d)));
@@ -66,15 +66,15 @@ HWY_INLINE void find_receiver_slopes(
     }
 }
 
-/// Writes the receiver_slope of all runs' samples.
+/// Writes the receiver slope of every sample of the tile's runs. Other samples are not written.
 inline void spread_receiver_slope(
     const HitTile& hits, const World& world, const LightFrame& light, float* receiver_slope)
 {
-    SteepnessBatch batch = {};
+    ReceiverSlopeBatch batch = {};
     const glm::dvec3 eye = glm::dvec3(hits.frame.eye) - light.origin;
-    for (std::size_t start = 0; start < hits.runs.size(); start += SteepnessBatch::kRuns) {
+    for (std::size_t start = 0; start < hits.runs.size(); start += ReceiverSlopeBatch::kRuns) {
         const auto runs = hits.runs.subspan(
-            start, std::min<std::size_t>(SteepnessBatch::kRuns, hits.runs.size() - start));
+            start, std::min<std::size_t>(ReceiverSlopeBatch::kRuns, hits.runs.size() - start));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             HitRun spare;
             const HitRun& run = known_run(runs[i], world, hits.frame.eye, spare);
@@ -91,7 +91,7 @@ inline void spread_receiver_slope(
             const real value(batch.receiver_slope[i]);
             for (int first = 0; first < kBlockSamples; first += kLanes) {
                 const std::uint64_t bits = lane_bits(runs[i].samples, first);
-                // Wide registers are few: to write them all is faster than to guess which.
+                // With wide registers, writing all of the few is faster than mispredicted branches.
                 if (kLanes >= 8 || bits != 0)
                     store_where(truth_of_bits(bits), value, block + first);
             }

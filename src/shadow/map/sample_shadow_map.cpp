@@ -1,4 +1,7 @@
-// sample_shadow_map.cpp - how much of a light reaches the hits of a tile, by its shadow maps.
+// sample_shadow_map.cpp - shadow map sampling: the visibility of a light from the hits of a tile.
+//
+// The array `visibility` has two uses here. First it holds the receiver slope of each sample
+// (receiver_slope-inl.h); then each sample's slope is replaced by its visibility.
 #include "shadow/map/sample_shadow_map.h"
 
 #include <glm/geometric.hpp>
@@ -23,9 +26,9 @@ namespace {
 
 #include "glsl/shadow_map.glsl"
 
-/// A map as a tile looks at it.
+/// A map, and what sampling it for one tile needs.
 struct MapView {
-    RayTransform to; // (texel x, texel y, depth), see ShadowMap::matrix
+    RayTransform to; // from samples to (texel x, texel y, depth); see ShadowMap::matrix
     const float* depth = nullptr;
     const FarthestDepths* farthest = nullptr;
     int width = 0;
@@ -33,13 +36,14 @@ struct MapView {
     bool parallel = false;
     int filter = 1;
     float bias = -1;
-    float reach = 0;    // of slope_bias
-    float rounding = 0; // added to it, and kRounding of the depth
+    float reach = 0;    // parameter of slope_bias
+    float rounding = 0; // added to the slope bias, together with kRounding * depth
 };
 
 constexpr float kRounding = 0x1p-20f;
 
-/// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
+/// The slope bias is exact for a plane. The texels around a hit may show neighbouring triangles,
+/// which are not in its plane, so half as much again is allowed.
 constexpr double kNeighbours = 1.5;
 
 MapView map_view(
@@ -62,7 +66,7 @@ MapView map_view(
 
 FIRSTHIT_PURE real clamped(real x, float most)
 {
-    return max(min(x, real(most)), real(0.0f)); // no number: most
+    return max(min(x, real(most)), real(0.0f)); // NaN gives `most`
 }
 
 FIRSTHIT_PURE integer whole(real x)
@@ -70,8 +74,7 @@ FIRSTHIT_PURE integer whole(real x)
     return integer(hn::ConvertTo(IntegerTag(), x.lanes));
 }
 
-/// Where the quads' row of texel row y starts, plus the row in the quad; and the same for a column
-/// (see quad_offset).
+/// quad_offset(column, row) is row_offset(row) + column_offset(column).
 FIRSTHIT_PURE integer row_offset(integer y, int quads_x)
 {
     const integer quads = integer(hn::ShiftRight<2>(y.lanes)) * integer(quads_x);
@@ -83,11 +86,11 @@ FIRSTHIT_PURE integer column_offset(integer x)
     return integer(hn::ShiftLeft<4>(hn::ShiftRight<2>(x.lanes))) + (x & integer(3));
 }
 
-/// Points as a map sees them.
+/// A register of hits in the space of a map.
 struct MapPoints {
     real column, row; // texels
     real depth, epsilon;
-    truth has_ray; // a shadow ray
+    truth has_ray; // there is a shadow ray; else the point is lit
 };
 
 HWY_INLINE MapPoints map_points(
@@ -108,8 +111,8 @@ HWY_INLINE MapPoints map_points(
     return points;
 }
 
-/// The share of the texels around the points at depth t that show nothing before them.
-HWY_INLINE real lit_share(
+/// The fraction of the texels around the points at depth t that show no triangle in front of them.
+HWY_INLINE real visible_fraction(
     const MapView& map, float x, float y, int first, real t, real receiver_slope)
 {
     const MapPoints points = map_points(map, x, y, first, t, receiver_slope);
@@ -119,29 +122,30 @@ HWY_INLINE real lit_share(
     const auto start_of = [&](real at_row) {
         return row_offset(whole(clamped(at_row, last_row)), quads_x);
     };
-    const auto lit_at = [&](integer start, real at_column) {
+    const auto visibility_at = [&](integer start, real at_column) {
         const integer at = start + column_offset(whole(clamped(at_column, last_column)));
         return mix(real(1.0f), real(0.0f),
             is_shadowed(gather(map.depth, at), points.depth, points.epsilon));
     };
-    real lit(0.0f);
+    real visibility(0.0f);
     if (map.filter == 1) {
-        lit = lit_at(start_of(floor(row)), floor(column));
+        visibility = visibility_at(start_of(floor(row)), floor(column));
     } else {
         const real half(0.5f * float(map.filter - 1));
         const real first_column = floor(column - half), first_row = floor(row - half);
         for (int j = 0; j < map.filter; ++j) {
             const integer start = start_of(first_row + real(float(j)));
             for (int i = 0; i < map.filter; ++i)
-                lit = lit + lit_at(start, first_column + real(float(i)));
+                visibility = visibility + visibility_at(start, first_column + real(float(i)));
         }
-        lit = lit / real(float(map.filter * map.filter));
+        visibility = visibility / real(float(map.filter * map.filter));
     }
-    return mix(real(1.0f), lit, points.has_ray);
+    return mix(real(1.0f), visibility, points.has_ray);
 }
 
-/// Calls body(block's x, block's y, first sample of a register in its block, its offset in the
-/// tile, its depths) for the registers that have an item.
+/// Calls body(x, y, first, offset, t) for each register that has an item. (x, y): the first sample
+/// of its block; first: the register's first sample in the block; offset: the same in the tile; t:
+/// the depths.
 template <class Body>
 HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
 {
@@ -158,23 +162,23 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
     }
 }
 
-/// What is known before a map is looked at: points that are seen from behind are dark.
-FIRSTHIT_PURE real facing_share(real share, real receiver_slope)
+/// 0 where the receiver does not face the light (receiver_slope <= 0), else `visibility`.
+FIRSTHIT_PURE real facing_visibility(real visibility, real receiver_slope)
 {
-    return mix(real(0.0f), share, receiver_slope > real(0.0f));
+    return mix(real(0.0f), visibility, receiver_slope > real(0.0f));
 }
 
-/// The points of a block on a map of which one texel is looked at: which, and how near something has to
-/// be there to shadow the point.
+/// For the points of a block and a map that is sampled without a filter: the texel of each point,
+/// and the depth below which that texel shadows the point.
 struct BlockTexels {
     int block = -1;
-    alignas(64) std::int32_t at[kBlockSamples];
+    alignas(64) std::int32_t at[kBlockSamples]; // offset in the map, see quad_offset
     alignas(64) float limit[kBlockSamples];
 };
 
-/// Finds the texels, and asks for their memory.
-HWY_INLINE void find_texels(
-    const MapView& map, const HitTile& hits, int block, const float* lit, BlockTexels& texels)
+/// Finds the texels of a block and prefetches them.
+HWY_INLINE void find_texels(const MapView& map, const HitTile& hits, int block,
+    const float* visibility, BlockTexels& texels)
 {
     const int blocks_x = hits.size / kBlock;
     const float x = float(block % blocks_x * kBlock), y = float(block / blocks_x * kBlock);
@@ -184,7 +188,7 @@ HWY_INLINE void find_texels(
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         const int offset = block * kBlockSamples + first;
         const MapPoints points =
-            map_points(map, x, y, first, load(hits.t + offset), load(lit + offset));
+            map_points(map, x, y, first, load(hits.t + offset), load(visibility + offset));
         const integer at = row_offset(whole(clamped(floor(points.row), last_row)), quads_x) +
                            column_offset(whole(clamped(floor(points.column), last_column)));
         hn::Store(at.lanes, IntegerTag(), texels.at + first);
@@ -192,25 +196,27 @@ HWY_INLINE void find_texels(
                   points.has_ray),
             texels.limit + first);
     }
-    // The corners of each quad of samples: what is between them is mostly in the same lines.
+    // Prefetch for the corners of each 4x4 quad only: the other texels are mostly in the same cache
+    // lines.
     for (int quad = 0; quad < kBlockSamples; quad += 16)
         for (const int corner : {0, 3, 12, 15}) hwy::Prefetch(map.depth + texels.at[quad + corner]);
 }
 
-/// The comparisons of is_shadowed. `lit` holds receiver_slope, and is left with light.
-HWY_INLINE void compare_texels(const MapView& map, const BlockTexels& texels, float* lit)
+/// Compares the block's points with their texels, as is_shadowed does, and replaces the receiver
+/// slopes in `visibility` by visibility.
+HWY_INLINE void compare_texels(const MapView& map, const BlockTexels& texels, float* visibility)
 {
     if (texels.block < 0) return;
-    float* block = lit + texels.block * kBlockSamples;
+    float* block = visibility + texels.block * kBlockSamples;
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         const real receiver_slope = load(block + first);
         const integer at(hn::Load(IntegerTag(), texels.at + first));
         const truth dark = gather(map.depth, at) < load(texels.limit + first);
-        store(facing_share(mix(real(1.0f), real(0.0f), dark), receiver_slope), block + first);
+        store(facing_visibility(mix(real(1.0f), real(0.0f), dark), receiver_slope), block + first);
     }
 }
 
-/// Whether the light sees a block's triangles from behind. Then it is left dark.
+/// Whether no triangle of a block faces the light. Then the block's visibility is set to 0.
 HWY_INLINE bool all_turned_away(float* receiver_slope)
 {
     real steepest = load(receiver_slope);
@@ -221,42 +227,44 @@ HWY_INLINE bool all_turned_away(float* receiver_slope)
     return true;
 }
 
-/// sample_map_of_face with one texel a point: while the memory of a block's texels is on its way, those of the
-/// block before are compared.
-void fetch_texels(const MapView& face, const HitTile& hits, float* lit)
+/// sample_map_of_face without a filter. Software pipelined: prefetches the texels of a block, then
+/// compares those of the block before, which have arrived meanwhile.
+void sample_map_pipelined(const MapView& face, const HitTile& hits, float* visibility)
 {
     BlockTexels texels[2];
     int now = 0;
     for (int block = 0; block < int(hits.blocks()); ++block) {
-        if (hits.is_empty(block) || all_turned_away(lit + block * kBlockSamples)) continue;
-        find_texels(face, hits, block, lit, texels[now]);
+        if (hits.is_empty(block) || all_turned_away(visibility + block * kBlockSamples)) continue;
+        find_texels(face, hits, block, visibility, texels[now]);
         now ^= 1;
-        compare_texels(face, texels[now], lit);
+        compare_texels(face, texels[now], visibility);
     }
-    compare_texels(face, texels[now ^ 1], lit);
+    compare_texels(face, texels[now ^ 1], visibility);
 }
 
-/// All points are on one face. Every register holds its receiver_slope in `lit` and leaves its light
-/// there.
-void sample_map_of_face(const MapView& face, const HitTile& hits, float* lit)
+/// Samples the map of the only face that the tile's hits lie on.
+void sample_map_of_face(const MapView& face, const HitTile& hits, float* visibility)
 {
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
-        const real receiver_slope = load(lit + offset);
-        real share(0.0f);
-        if (any(receiver_slope > share))
-            share = facing_share(lit_share(face, x, y, first, t, receiver_slope), receiver_slope);
-        store(share, lit + offset);
+        const real receiver_slope = load(visibility + offset);
+        real visible(0.0f);
+        if (any(receiver_slope > visible))
+            visible = facing_visibility(
+                visible_fraction(face, x, y, first, t, receiver_slope), receiver_slope);
+        store(visible, visibility + offset);
     });
 }
 
-/// Whether all hits of the tile, which are on one face, are in shadow. `lit` holds their receiver_slope.
-bool is_dark(const MapView& map, const HitTile& hits, const HitDepths& depths, const float* lit)
+/// Whether all hits of the tile, which lie on one face, are in shadow (dark_tile-inl.h).
+/// `visibility` holds their receiver slopes.
+bool is_dark(
+    const MapView& map, const HitTile& hits, const HitDepths& depths, const float* visibility)
 {
     const HitHull hull = hit_hull(map.to, 0, 0, hits.size, depths);
     const MapDepths under = depths_under(
         hull, map.parallel, *map.farthest, map.width, map.height, 0.5f * float(map.filter) + 1.5f);
-    // The hits' own depths are rounded otherwise than the hull's; both are within epsilon's part for
-    // rounding.
+    // The depths of the hits are rounded differently from those of the hull. Both errors are within
+    // the rounding term of epsilon.
     const float before =
         under.hits.least -
         4 * (std::max(under.hits.greatest, -under.hits.least) * kRounding + map.rounding);
@@ -265,35 +273,36 @@ bool is_dark(const MapView& map, const HitTile& hits, const HitDepths& depths, c
     real steepest(0.0f);
     for_registers(hits, [&](float, float, int, int offset, real t) {
         const truth hit = t < real(std::numeric_limits<float>::infinity());
-        steepest = max(steepest, mix(real(0.0f), load(lit + offset), hit));
+        steepest = max(steepest, mix(real(0.0f), load(visibility + offset), hit));
     });
-    const float at = map.parallel ? 1.0f : under.hits.greatest; // slope_bias, of the steepest
+    const float at = map.parallel ? 1.0f : under.hits.greatest; // slope_bias of the greatest slope
     const float epsilon =
         at * at * (hn::GetLane(hn::MaxOfLanes(RealTag(), steepest.lanes)) * map.reach);
     return under.farthest < before - 1.0001f * epsilon;
 }
 
-/// The same, each point on its own face.
+/// Samples the maps of all faces, each point in the map of its own face.
 void sample_maps_of_faces(
-    const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* lit)
+    const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* visibility)
 {
     const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
-        const real receiver_slope = load(lit + offset);
+        const real receiver_slope = load(visibility + offset);
         const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
         const truth hit = t < real(std::numeric_limits<float>::infinity());
-        real share(1.0f);
+        real visible(1.0f);
         for (int k = 0; k < kFaces; ++k) {
             const truth here = hit & on.of(k);
             if (face[k].width > 0 && any(here))
-                share = mix(share, lit_share(face[k], x, y, first, t, receiver_slope), here);
+                visible =
+                    mix(visible, visible_fraction(face[k], x, y, first, t, receiver_slope), here);
         }
-        store(facing_share(share, receiver_slope), lit + offset);
+        store(facing_visibility(visible, receiver_slope), visibility + offset);
     });
 }
 
-/// The face that all hits of the tile are on, or -1 where they may be on several: the hull of its
-/// corner rays between the least and the greatest depth is on a face if its corners are.
+/// The face that all hits of the tile lie on, or -1 if they may lie on several. A face's pyramid is
+/// convex, so the tile's convex hull (see hit_hull-inl.h) lies on a face if its corners do.
 int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& depths)
 {
     const double depth[2] = {double(depths.nearest), double(depths.farthest)};
@@ -313,24 +322,24 @@ int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& d
     return common;
 }
 
-/// Points outside of a spot's cone are dark.
-void darken_outside(const LightFrame& frame, const HitTile& hits, float* lit)
+/// Sets the visibility of points outside a spot light's cone to 0.
+void clear_outside_cone(const LightFrame& frame, const HitTile& hits, float* visibility)
 {
     const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
     const float tan2_cone = float(frame.tan2_cone);
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const truth inside = in_cone(transform_hits(to, x, y, first, t), tan2_cone);
-        store(mix(real(0.0f), load(lit + offset), inside), lit + offset);
+        store(mix(real(0.0f), load(visibility + offset), inside), visibility + offset);
     });
 }
 
 void sample_maps_of_tile(const ShadowMaps& maps, const ShadowLight& light, const World& world,
-    const HitTile& hits, float* lit)
+    const HitTile& hits, float* visibility)
 {
     const int samples = hits.size * hits.size;
     const HitDepths depths = tile_depths(hits);
     if (depths.hits == 0) return;
-    spread_receiver_slope(hits, world, light.frame, lit);
+    spread_receiver_slope(hits, world, light.frame, visibility);
     MapView face[kFaces];
     int faces = 0, only = -1;
     for (int k = 0; k < kFaces; ++k) {
@@ -341,14 +350,14 @@ void sample_maps_of_tile(const ShadowMaps& maps, const ShadowLight& light, const
     }
     if (faces > 1) only = common_face(light.frame, hits, depths);
     if (only < 0 || face[only].width == 0)
-        sample_maps_of_faces(light.frame, face, hits, lit);
-    else if (is_dark(face[only], hits, depths, lit))
-        std::fill_n(lit, samples, 0.0f);
+        sample_maps_of_faces(light.frame, face, hits, visibility);
+    else if (is_dark(face[only], hits, depths, visibility))
+        std::fill_n(visibility, samples, 0.0f);
     else if (maps.filter == 1)
-        fetch_texels(face[only], hits, lit);
+        sample_map_pipelined(face[only], hits, visibility);
     else
-        sample_map_of_face(face[only], hits, lit);
-    if (light.frame.tan2_cone > 0) darken_outside(light.frame, hits, lit);
+        sample_map_of_face(face[only], hits, visibility);
+    if (light.frame.tan2_cone > 0) clear_outside_cone(light.frame, hits, visibility);
 }
 
 } // namespace
@@ -361,10 +370,10 @@ namespace firsthit {
 
 HWY_EXPORT(sample_maps_of_tile);
 
-void sample_shadow_map(
-    const ShadowMaps& maps, const World& world, const HitTile& hits, std::size_t light, float* lit)
+void sample_shadow_map(const ShadowMaps& maps, const World& world, const HitTile& hits,
+    std::size_t light, float* visibility)
 {
-    HWY_DYNAMIC_DISPATCH(sample_maps_of_tile)(maps, maps.light[light], world, hits, lit);
+    HWY_DYNAMIC_DISPATCH(sample_maps_of_tile)(maps, maps.light[light], world, hits, visibility);
 }
 
 } // namespace firsthit

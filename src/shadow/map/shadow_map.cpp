@@ -1,4 +1,4 @@
-// shadow_map.cpp - depth as each light sees it, made by the rasteriser and kept from frame to frame.
+// shadow_map.cpp - shadow maps of all lights, made by the rasteriser and kept from frame to frame.
 #include "shadow/map/shadow_map.h"
 
 #include "shadow/map/map_pencil.h"
@@ -14,37 +14,41 @@ namespace {
 constexpr int kTile = 64; // texels
 
 /// A rectangle of a map's texels.
-struct Part {
+struct TexelRectangle {
     int x, y, width, height;
 };
 
-/// Rasterises a part of the map; halves of it where it is too large or meets too many triangles.
-void raster_part(
-    const World& world, const Part& part, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
+/// Rasterises a rectangle of the map. Splits it in halves if it is too large for the rasteriser or
+/// covers too many triangles.
+void raster_rectangle(const World& world, const TexelRectangle& rectangle, ShadowMaps& maps,
+    ShadowMap& map, Tasks& tasks)
 {
     ViewMemory& view = maps.view;
-    const int longest = std::max(part.width, part.height);
-    bool seen = longest <= kMaxPencil;
-    if (seen) {
+    const int longest = std::max(rectangle.width, rectangle.height);
+    bool fits = longest <= kMaxPencil;
+    if (fits) {
         view.tile_size = kTile;
-        view.pencil.width = part.width;
-        view.pencil.height = part.height;
-        view.pencil.x0 = part.x + 0.5 - 0.5 * map.width();
-        view.pencil.y0 = part.y + 0.5 - 0.5 * map.height();
-        view.tiles_x = (part.width + kTile - 1) / kTile;
-        view.tiles_y = (part.height + kTile - 1) / kTile;
+        view.pencil.width = rectangle.width;
+        view.pencil.height = rectangle.height;
+        view.pencil.x0 = rectangle.x + 0.5 - 0.5 * map.width();
+        view.pencil.y0 = rectangle.y + 0.5 - 0.5 * map.height();
+        view.tiles_x = (rectangle.width + kTile - 1) / kTile;
+        view.tiles_y = (rectangle.height + kTile - 1) / kTile;
         view.tile_of.resize(std::size_t(longest));
         for (int k = 0; k < longest; ++k) view.tile_of[std::size_t(k)] = std::uint8_t(k / kTile);
         project_vertices(world.position, view, tasks, CornerSpace::flat);
-        seen = bin_triangles(world.scene->index, view, tasks, TinyTriangles::depths);
+        fits = bin_triangles(world.scene->index, view, tasks, TinyTriangles::depths);
     }
-    if (!seen) {
-        const bool wide = part.width >= part.height;
+    if (!fits) {
+        const bool wide = rectangle.width >= rectangle.height;
         const int cut = (longest / kTile + 1) / 2 * kTile;
-        const Part first{part.x, part.y, wide ? cut : part.width, wide ? part.height : cut};
-        const Part second{wide ? part.x + cut : part.x, wide ? part.y : part.y + cut,
-            wide ? part.width - cut : part.width, wide ? part.height : part.height - cut};
-        for (const Part& half : {first, second}) raster_part(world, half, maps, map, tasks);
+        const TexelRectangle first{
+            rectangle.x, rectangle.y, wide ? cut : rectangle.width, wide ? rectangle.height : cut};
+        const TexelRectangle second{wide ? rectangle.x + cut : rectangle.x,
+            wide ? rectangle.y : rectangle.y + cut, wide ? rectangle.width - cut : rectangle.width,
+            wide ? rectangle.height : rectangle.height - cut};
+        for (const TexelRectangle& half : {first, second})
+            raster_rectangle(world, half, maps, map, tasks);
         return;
     }
     tasks.for_each(std::size_t(view.tiles()), [&](std::size_t tile, std::size_t worker) {
@@ -52,12 +56,13 @@ void raster_part(
         raster_depth(view, int(tile), depth);
         const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
         store_depth(depth, view.pencil,
-            {.depth = &map.depth[quad_offset(part.x + x, part.y + y, map.width())],
+            {.depth = &map.depth[quad_offset(rectangle.x + x, rectangle.y + y, map.width())],
                 .quads_x = quads(map.width()),
-                .farthest = &map.farthest.at((part.x + x) / kCellSide, (part.y + y) / kCellSide),
+                .farthest =
+                    &map.farthest.at((rectangle.x + x) / kCellSide, (rectangle.y + y) / kCellSide),
                 .cells_x = map.farthest.across,
-                .width = std::min(kTile, part.width - x),
-                .height = std::min(kTile, part.height - y)});
+                .width = std::min(kTile, rectangle.width - x),
+                .height = std::min(kTile, rectangle.height - y)});
     });
 }
 
@@ -66,10 +71,10 @@ void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Ta
     const Pencil pencil = place_map(world, face, map);
     const std::size_t texels =
         std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
-    map.depth.resize(texels, texels / 2); // what hits fill of a face changes from frame to frame
+    map.depth.resize(texels, texels / 2); // spare: the bounds of hits change from frame to frame
     map.farthest.resize(map.width(), map.height());
     maps.view.pencil = pencil;
-    raster_part(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
+    raster_rectangle(world, {0, 0, map.width(), map.height()}, maps, map, tasks);
 }
 
 } // namespace
@@ -125,12 +130,12 @@ void plan_maps(const World& world, const Settings& settings, std::span<LightBoun
         maps.light[number].frame = light_frame(world.lights[number]);
         merge_faces(bounds[number]);
     }
-    // Do all have to be made, wherever the triangles are?
-    bool anyway = true;
+    // If no map can be kept, the geometry need not be compared.
+    bool remake_all = true;
     for_maps([&](const MapNumber& k, const MapSource& source) {
-        if (source.fit.width > 0 && source == map_of(maps, k).source) anyway = false;
+        if (source.fit.width > 0 && source == map_of(maps, k).source) remake_all = false;
     });
-    follow(world, anyway, maps.geometry, tasks);
+    update_copy(world, remake_all, maps.geometry, tasks);
     for_maps([&](const MapNumber& k, const MapSource& source) {
         maps.texels += std::uint64_t(source.fit.width) * std::uint64_t(source.fit.height);
         ShadowMap& map = map_of(maps, k);

@@ -1,11 +1,11 @@
-// shadow_map.h - depth as each light sees it, made by the rasteriser and kept from frame to frame.
+// shadow_map.h - shadow maps of all lights, made by the rasteriser and kept from frame to frame.
 //
 // A frame calls, in turn:
 //
 //     start_maps(world, tasks.threads(), maps)
 //     add_hits(hits, maps, worker)                each tile, once what it sees is known
 //     update_maps(world, settings, maps, tasks)
-//     sample_shadow_map(maps, world, hits, light, lit)      each tile and light: shadow/sample_shadow_map.h
+//     sample_shadow_map(maps, world, hits, light, visibility)    each tile and light
 //
 // source  Williams 1978; Robert and Schoepke 2006, section 3.2: "the shadow map only needs to be
 //         updated when the scene is subject to changes during the rendering"
@@ -28,7 +28,7 @@
 
 namespace firsthit {
 
-/// What a map was made from: equal again, equal map.
+/// Everything that a map's texels depend on. Cache key: equal sources give identical maps.
 struct MapSource {
     LightFrame frame;
     MapFit fit;
@@ -37,13 +37,14 @@ struct MapSource {
     bool operator==(const MapSource&) const = default;
 };
 
-/// One face of a light.
+/// The map of one face of a light.
 struct ShadowMap {
     MapSource source;
-    Buffer<float> depth; // along the face's z from `origin`, +inf where nothing is; see quad_offset
+    Buffer<float> depth; // along the face's z from `origin`; +inf: no triangle; see quad_offset
     FarthestDepths farthest;
-    // matrix * (p - origin) + offset: (texel x, texel y, depth) of p; the first two times the depth
-    // unless the light is parallel. Texel i reaches from i to i + 1.
+    // matrix * (p - origin) + offset is (texel x, texel y, depth) of a point p in world space.
+    // Unless the light is parallel, the first two are multiplied by the depth. Texel i covers [i, i
+    // + 1).
     glm::dmat3 matrix{1};
     glm::dvec3 origin{0};
     glm::dvec3 offset{0};
@@ -55,27 +56,27 @@ struct ShadowMap {
 
 struct ShadowLight {
     LightFrame frame;
-    std::array<ShadowMap, kFaces> map; // width 0: no hit is there
+    std::array<ShadowMap, kFaces> map; // width 0: no hit lies on the face
 };
 
-/// One face of one light of a world.
+/// Names one face of one light of a world.
 struct MapNumber {
     std::size_t light = 0;
     int face = 0;
 };
 
-/// The maps of all lights and the memory that making them takes.
+/// The maps of all lights, and the memory that is needed to make them.
 struct ShadowMaps {
-    std::vector<ShadowLight> light; // as the world's
-    int filter = 1;                 // of the settings
-    double bias = -1;
+    std::vector<ShadowLight> light; // (lights of the world)
+    int filter = 1;                 // settings.shadow_filter
+    double bias = -1;               // settings.shadow_bias
 
-    std::uint64_t updates = 0; // maps made so far
-    std::uint64_t texels = 0;  // of the maps in use
+    std::uint64_t updates = 0; // number of maps made so far
+    std::uint64_t texels = 0;  // of all maps in use
 
-    std::vector<LightBounds> bounds; // (lights) of all workers' hits
-    std::vector<MapNumber> changed;  // that are to be made
-    bool complete = false;           // all maps are what their sources say
+    std::vector<LightBounds> bounds; // (lights) bounds of the hits of all workers
+    std::vector<MapNumber> changed;  // maps that have to be made
+    bool complete = false;           // every map agrees with its source
 
     GeometryCopy geometry;
     ViewMemory view;
@@ -91,25 +92,26 @@ inline ShadowMap& map_of(ShadowMaps& maps, const MapNumber& number)
     return maps.light[number.light].map[std::size_t(number.face)];
 }
 
-/// Begins a frame: the lights where they are now, and no hits yet.
+/// Begins a frame: reads the lights of the world and forgets the hits of the last frame.
 void start_maps(const World& world, int threads, ShadowMaps& maps);
 
-/// Adds a tile's hits to what the maps have to show. Calls with different workers may overlap.
+/// Adds a tile's hits to the bounds that the maps of all lights have to cover. Calls with different
+/// workers may run at the same time.
 void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker);
 
 /// The same for one light.
 void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::size_t worker);
 
-/// Makes the maps that are not what the world's triangles and lights, the hits and
-/// settings.shadow_map_size and .shadow_filter ask for. A map stays where its light, the triangles
-/// and its fit (map_fit.h) have not changed. Does not depend on threads or earlier frames.
-/// maker  null: our rasteriser
+/// Makes the maps whose source has changed. A source follows from the world's triangles and lights,
+/// the hits, settings.shadow_map_size and .shadow_filter. Maps of unchanged sources are kept. The
+/// result does not depend on the number of threads or on earlier frames.
+/// maker  draws the maps; null: our rasteriser
 void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks,
     MapMaker* maker = nullptr);
 
-/// The first half of that: gives every map its source, and lists in maps.changed those that are not
-/// what it says. Who has made them sets maps.complete.
-/// bounds  (lights) of the visible hits
+/// The first half of update_maps: sets the source of every map, and lists in maps.changed the maps
+/// that have to be made from it. The caller makes them and then sets maps.complete.
+/// bounds  (lights) bounds of the visible hits
 void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
     ShadowMaps& maps, Tasks& tasks);
 

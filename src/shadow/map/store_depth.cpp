@@ -1,4 +1,4 @@
-// store_depth.cpp - from a rasterised tile to the map.
+// store_depth.cpp - copies a rasterised tile into a map.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow/map/store_depth.cpp"
 #include "base/simd.h"
@@ -15,7 +15,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Depths from the tile's 1/t, a register at a time.
+/// Converts the tile's 1/t to depths, a register at a time.
 struct Depths {
     using D = hn::CappedTag<float, kQuadTexels>;
     using V = hn::Vec<D>;
@@ -36,7 +36,7 @@ struct Depths {
     }
 };
 
-/// Writes the quads of one cell, and returns their farthest depth.
+/// Writes the quads of one cell and returns their farthest depth.
 float store_cell(const DepthTile& tile, const Depths& depths, const MapWindow& window, int x0,
     int y0, int x1, int y1)
 {

@@ -1,8 +1,8 @@
-// store_depth.h - how the texels of a map are laid out, and from a rasterised tile to the map.
+// store_depth.h - the memory layout of a map's texels; copies a rasterised tile into a map.
 //
-// A map is made of quads of 4x4 texels, row by row, as the quads of a tile are (base/tile_order.h):
-// a quad is one cache line, and neighbouring hits look at few of them. The last quads of a row and
-// of a column may be filled in part.
+// A map consists of quads of 4x4 texels, row by row, and so do the quads inside, as in a tile
+// (base/tile_order.h). A quad is one cache line, so neighbouring hits read few cache lines. The
+// last quads of each row and column of quads may extend beyond the map.
 #pragma once
 
 #include "shadow/map/raster_depth.h"
@@ -13,13 +13,13 @@ namespace firsthit {
 
 inline constexpr int kQuadTexels = 16;
 
-/// Quads that hold so many texels in a row.
+/// The number of quads for a row of so many texels.
 constexpr int quads(int texels)
 {
     return (texels + 3) / 4;
 }
 
-/// Where texel (x, y) of a map that is `width` texels wide is in memory.
+/// Index of texel (x, y) in the memory of a map that is `width` texels wide.
 constexpr std::size_t quad_offset(int x, int y, int width)
 {
     return (std::size_t(y / 4) * std::size_t(quads(width)) + std::size_t(x / 4)) * kQuadTexels +
@@ -28,12 +28,13 @@ constexpr std::size_t quad_offset(int x, int y, int width)
 
 inline constexpr int kCellSide = 16; // texels
 
-/// (cells down, cells across) the farthest depth of each. Texels beyond the map's edge may count.
+/// The farthest depth of each cell of kCellSide x kCellSide texels, (cells down, cells across). The
+/// unused texels of quads that extend beyond the map may be counted or not.
 struct FarthestDepths {
     int across = 0;
     Buffer<float> depth;
 
-    /// Of a map of that many texels. Allocates where it is larger than before.
+    /// Sets the size to that of a map of width x height texels. Allocates only to grow.
     void resize(int width, int height)
     {
         across = (width + kCellSide - 1) / kCellSide;
@@ -44,7 +45,8 @@ struct FarthestDepths {
     float at(int x, int y) const { return depth[std::size_t(y * across + x)]; }
 };
 
-/// Finds them where the depths came from elsewhere. depth: a map's, see quad_offset
+/// Computes the farthest depths of a map whose depths were not stored by store_depth.
+/// depth  of all texels, see quad_offset
 void find_farthest(const float* depth, int width, int height, FarthestDepths& farthest);
 
 /// A rectangle of a map that starts at a cell and lies inside one tile.
@@ -56,7 +58,8 @@ struct MapWindow {
     int width, height; // texels
 };
 
-/// Turns the tile's 1/t into depth (+inf where nothing is) and writes it, and the cells' farthest.
+/// Converts the tile's 1/t to depth (+inf where there is no triangle), and writes it and the
+/// farthest depths of the cells into the window.
 void store_depth(const DepthTile& tile, const Pencil& pencil, const MapWindow& window);
 
 } // namespace firsthit
