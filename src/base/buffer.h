@@ -1,4 +1,4 @@
-// buffer.h - memory that is kept from frame to frame: grows, never shrinks, starts undefined.
+// buffer.h - an array that is kept from frame to frame: grows, never shrinks, is not initialised.
 #pragma once
 
 #include "base/large_pages.h"
@@ -11,28 +11,29 @@
 
 namespace firsthit {
 
-/// What memory a buffer is made of.
+/// The page size of a buffer's memory.
 enum class Pages {
-    large, // of large arrays: they are written from end to end
-    small, // room for the worst case, of which little is touched
+    large, // for large arrays that are written from end to end
+    small, // for worst-case reservations of which little is touched
 };
 
-/// An array of trivial elements, aligned to 64 bytes. Fresh memory is not touched, so what is
-/// reserved and never used costs address space only.
+/// An array of trivial elements, aligned to 64 bytes. New memory is not written, so reserved memory
+/// that is never used costs only address space. A register of up to 64 bytes may be read or written
+/// from any element on: there are 64 spare bytes behind the last element.
 template <class T, Pages pages = Pages::large>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
   public:
-    /// Room for count elements; the content is undefined where it had to grow. `spare` more are
-    /// reserved when it grows, so that slowly growing needs allocate seldom.
-    /// throws  std::bad_alloc; then it is empty
+    /// Sets the size. If the buffer has to grow, its content becomes undefined, and `spare` more
+    /// elements are reserved, so that a slowly growing size allocates seldom.
+    /// throws  std::bad_alloc; the buffer is empty then
     void resize(std::size_t count, std::size_t spare = 0)
     {
         if (count > capacity_) {
             data_.reset();
-            size_ = capacity_ = 0; // in case there is no memory
-            const std::size_t bytes = (count + spare) * sizeof(T) + 64; // room for a register's end
+            size_ = capacity_ = 0; // stays so if the allocation throws
+            const std::size_t bytes = (count + spare) * sizeof(T) + 64; // spare bytes, see above
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
             if constexpr (pages == Pages::large) request_large_pages(data_.get(), bytes);
             capacity_ = count + spare;

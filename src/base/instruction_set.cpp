@@ -1,4 +1,4 @@
-// instruction_set.cpp - which of the compiled kernels run.
+// instruction_set.cpp - chooses the instruction set whose kernels run.
 #include "base/simd_targets.h"
 
 #include "base/instruction_set.h"
@@ -15,12 +15,13 @@
 namespace firsthit {
 namespace {
 
-/// Calls f(target) for what is compiled in and runs here, the best first.
+/// Calls f(target) for each target that is compiled in and supported by this machine, best first.
 template <class F>
 void for_targets(const F& f)
 {
     const std::int64_t supported = hwy::SupportedTargets();
-    hwy::GetChosenTarget().Update(supported); // asking alone chose from all, disabled ones too
+    // SupportedTargets() has initialised the choice from all targets, including the disabled ones.
+    hwy::GetChosenTarget().Update(supported);
     for (std::uint64_t rest = std::uint64_t(supported & HWY_TARGETS); rest; rest &= rest - 1)
         f(std::int64_t(1) << std::countr_zero(rest));
 }

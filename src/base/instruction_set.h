@@ -1,12 +1,13 @@
-// instruction_set.h - which of the compiled kernels run.
+// instruction_set.h - chooses the instruction set whose kernels run.
 #pragma once
 
 #include <string>
 
 namespace firsthit {
 
-/// Lowers the instruction set to the one that the environment variable FIRSTHIT_ISA names, if it is
-/// set. Takes effect once a process, before the first kernel runs.
+/// Lowers the instruction set to the one that the environment variable FIRSTHIT_ISA names, if the
+/// variable is set. Only the first call of a process has an effect; it must come before the first
+/// kernel runs.
 /// throws  ArgumentError: a name that this build does not have
 void select_instruction_set();
 

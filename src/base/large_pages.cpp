@@ -1,4 +1,4 @@
-// large_pages.cpp - asks the system to back large memory by large pages.
+// large_pages.cpp - asks the system to use large pages for large arrays.
 #include "base/large_pages.h"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ void request_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::si
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::uintptr_t kLarge = std::uintptr_t(1) << 21;
     if (bytes < 2 * kLarge) return;
-    // Whole small pages; the system takes the large ones inside of them.
+    // madvise() takes whole small pages; the system finds the large pages inside the range.
     constexpr std::uintptr_t kSmall = 4096;
     const std::uintptr_t first = (std::uintptr_t(memory) + kSmall - 1) / kSmall * kSmall,
                          last = (std::uintptr_t(memory) + bytes) / kSmall * kSmall;

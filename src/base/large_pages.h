@@ -1,4 +1,4 @@
-// large_pages.h - asks the system to back large memory by large pages.
+// large_pages.h - asks the system to use large pages for large arrays.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,12 @@
 
 namespace firsthit {
 
-/// Memory that has not been written yet. Scattered reads of some megabytes otherwise spend much of
-/// their time in finding out where a page is. What cannot be had is done without.
+/// Requests large pages for memory that has not been written yet. Scattered reads in some megabytes
+/// otherwise spend much of their time on TLB misses. Only a hint: has no effect where the system
+/// has no large pages.
 void request_large_pages(void* memory, std::size_t bytes);
 
-/// values.resize(count), in large pages where it has to grow. What was in it is kept as by resize.
+/// values.resize(count), but requests large pages if the vector has to grow. Keeps the elements.
 template <class T>
 void resize_in_large_pages(std::vector<T>& values, std::size_t count)
 {

@@ -1,4 +1,4 @@
-// process_owned.h - what a child process must not destroy after fork().
+// process_owned.h - pointers to objects that a child process must not destroy after fork().
 #pragma once
 
 #include <unistd.h>
@@ -8,8 +8,9 @@
 
 namespace firsthit {
 
-/// The process that made this. A child after fork() has a copy of the memory, but none of the
-/// threads: whoever joins them, or waits for what they should do, waits forever.
+/// Remembers the process that constructed it. After fork() the child has a copy of the memory but
+/// none of the other threads, so a destructor that joins threads or waits for them would never
+/// return.
 class HomeProcess {
   public:
     bool is_this() const { return pid_ == getpid(); }
@@ -18,7 +19,8 @@ class HomeProcess {
     pid_t pid_ = getpid();
 };
 
-/// Deletes an object in the process that made the pointer, and leaks it in every other.
+/// Deleter that deletes an object only in the process that made the pointer, and leaks it in
+/// others.
 template <class T>
 class DeleteAtHome {
   public:
@@ -32,7 +34,7 @@ class DeleteAtHome {
     HomeProcess home_;
 };
 
-/// For objects that own threads, or handles of libraries that do.
+/// For objects that own threads, or library handles that own threads.
 template <class T>
 using ProcessOwned = std::unique_ptr<T, DeleteAtHome<T>>;
 

@@ -1,9 +1,10 @@
-// pure.h - how the functions of src/glsl/ are declared when C++ compiles them.
+// pure.h - macros for the declarations in src/glsl/ when C++ compiles them.
 #pragma once
 
-/// Before each function of the maths text; nothing in GLSL. Inlined always: the arguments are SIMD
-/// registers, and a function that was not inlined would pass them through memory.
+/// Precedes each function; GLSL defines it as nothing. Always inlined: the arguments are SIMD
+/// registers, and a call that is not inlined would pass them through memory.
 #define FIRSTHIT_PURE [[gnu::always_inline, maybe_unused]] inline
 
-/// Before variables whose operations GLSL must not fuse or reorder; C++ does neither here.
+/// Precedes variables whose operations GLSL must not fuse or reorder. C++ does neither, with the
+/// compile flags used here.
 #define FIRSTHIT_PRECISE

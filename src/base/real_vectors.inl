@@ -1,6 +1,6 @@
-// real_vectors.inl - real2 and real3 over whatever `real` is. Included inside a namespace.
+// real_vectors.inl - real2 and real3, vectors of `real`. Included inside the namespace of `real`.
 //
-// The subset of GLSL's vec2 and vec3 that src/glsl/ uses, each sum in a fixed order.
+// The subset of GLSL's vec2 and vec3 that src/glsl/ uses. All sums have a fixed order.
 
 struct real2 {
     real x, y;

@@ -1,6 +1,6 @@
-// scalar_real.h - what `real` means in src/glsl/ for plain C++: a float.
+// scalar_real.h - the type `real` of src/glsl/ for scalar C++ code: a float.
 //
-// Each operation gives the bits of the same operation of one lane in simd_real-inl.h.
+// Each operation gives the same bits as one lane of the same operation in simd_real-inl.h.
 #pragma once
 
 #include "base/pure.h"
@@ -36,7 +36,7 @@ FIRSTHIT_PURE real mix(real a, real b, truth choose_b)
     return choose_b ? b : a;
 }
 
-/// As integers of one lane: they wrap around, and shift their sign.
+/// Shifts as SIMD lanes do: left shifts wrap around, right shifts copy the sign.
 FIRSTHIT_PURE integer shift_left_23(integer a)
 {
     return static_cast<integer>(static_cast<std::uint32_t>(a) << 23);

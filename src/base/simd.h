@@ -5,7 +5,7 @@
 //     #include "shade/shade_tile.h"       // own header and other ordinary headers first
 //
 //     #undef HWY_TARGET_INCLUDE
-//     #define HWY_TARGET_INCLUDE "shade/shade_tile.cpp" // this very file, from src/
+//     #define HWY_TARGET_INCLUDE "shade/shade_tile.cpp" // this file itself, relative to src/
 //     #include "base/simd.h"
 //     #include "base/simd_real-inl.h"     // then headers that hold kernels, *-inl.h
 //
@@ -17,15 +17,16 @@
 //     } // namespace firsthit
 //     HWY_AFTER_NAMESPACE();
 //
-//     #if HWY_ONCE                        // the last time only
+//     #if HWY_ONCE                        // compiled once, not once for each target
 //     namespace firsthit {
 //     HWY_EXPORT(shade);                  // a table of the kernel's variants
 //     void shade_tile(...) { HWY_DYNAMIC_DISPATCH(shade)(...); }
 //     } // namespace firsthit
 //     #endif
 //
-// The same bits on every target: only + - * / sqrt floor and integers; no MulAdd (fused on some
-// targets only), no Approximate..., no sum over lanes (its order depends on their number).
+// Rules that give the same bits on every target: use only + - * / sqrt floor and integers; no
+// MulAdd (fused on some targets only), no Approximate..., no sum over lanes (its order depends on
+// their number).
 #include "base/simd_targets.h"
 
 #include <hwy/foreach_target.h>

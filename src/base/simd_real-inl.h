@@ -1,4 +1,4 @@
-// simd_real-inl.h - one SIMD register as a number: what `real` means in src/glsl/ for a kernel.
+// simd_real-inl.h - the type `real` of src/glsl/ for kernels: one SIMD register.
 #if defined(FIRSTHIT_BASE_SIMD_REAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_BASE_SIMD_REAL_INL_H_
 #undef FIRSTHIT_BASE_SIMD_REAL_INL_H_
@@ -26,12 +26,12 @@ using IntegerTag = hn::RebindToSigned<RealTag>;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(RealTag()));
 static_assert(kLanes == 1 || kLanes == 4 || kLanes == 8 || kLanes == 16);
 
-/// One truth value a lane.
+/// One boolean for each lane.
 struct truth {
     hn::Mask<RealTag> lanes;
 };
 
-/// One int32 a lane.
+/// One int32 for each lane.
 struct integer {
     hn::Vec<IntegerTag> lanes;
     integer() = default;
@@ -39,7 +39,7 @@ struct integer {
     HWY_INLINE explicit integer(hn::Vec<IntegerTag> vector) : lanes(vector) {}
 };
 
-/// One float a lane.
+/// One float for each lane.
 struct real {
     hn::Vec<RealTag> lanes;
     real() = default;
@@ -86,13 +86,14 @@ FIRSTHIT_PURE real floor(real a)
     return real(hn::Floor(a.lanes));
 }
 
-/// b where `choose_b`, else a, like GLSL's.
+/// b where `choose_b`, else a, as in GLSL.
 FIRSTHIT_PURE real mix(real a, real b, truth choose_b)
 {
     return real(hn::IfThenElse(choose_b.lanes, b.lanes, a.lanes));
 }
 
-/// b where either is no number (x86's rule, kept elsewhere): write the constant second.
+/// min and max give b where either argument is NaN (x86's rule, emulated on other targets), so pass
+/// the constant as b.
 FIRSTHIT_PURE real min(real a, real b)
 {
 #if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
@@ -147,7 +148,7 @@ FIRSTHIT_PURE real intBitsToFloat(integer a)
     return real(hn::BitCast(RealTag(), a.lanes));
 }
 
-/// From and to memory that is aligned to 64 bytes at sample 0.
+/// Load from and store to an array that is aligned to 64 bytes, at a multiple of kLanes.
 FIRSTHIT_PURE real load(const float* p)
 {
     return real(hn::Load(RealTag(), p));
@@ -157,14 +158,14 @@ FIRSTHIT_PURE void store(real a, float* p)
     hn::Store(a.lanes, RealTag(), p);
 }
 
-/// Writes the chosen lanes; the others are read and written back. As fast as AVX-512's masked store
-/// (measured), and AVX2's is microcode on AMD.
+/// Writes the chosen lanes. The other lanes are read and written back, which is as fast as a masked
+/// store with AVX-512 (measured) and faster with AVX2 on AMD, where masked stores are microcode.
 FIRSTHIT_PURE void store_where(truth chosen, real a, float* p)
 {
     store(mix(load(p), a, chosen), p);
 }
 
-/// The kLanes lowest bits as lanes, bit 0 in lane 0.
+/// Converts the kLanes lowest bits to lanes, bit 0 to lane 0.
 FIRSTHIT_PURE truth truth_of_bits(std::uint64_t bits)
 {
     std::uint8_t bytes[8]; // Highway reads 8, lowest first
@@ -172,7 +173,7 @@ FIRSTHIT_PURE truth truth_of_bits(std::uint64_t bits)
     return {hn::LoadMaskBits(RealTag(), bytes)};
 }
 
-/// The lanes as the kLanes lowest bits.
+/// Converts the lanes to the kLanes lowest bits.
 FIRSTHIT_PURE std::uint64_t bits_of_truth(truth a)
 {
     std::uint8_t bytes[8] = {}; // Highway writes up to 8
@@ -180,13 +181,13 @@ FIRSTHIT_PURE std::uint64_t bits_of_truth(truth a)
     return (bytes[0] | std::uint64_t(bytes[1]) << 8) & ((std::uint64_t(1) << kLanes) - 1);
 }
 
-/// Bits of the lanes that hold samples [first, first + kLanes) of a block.
+/// Extracts the bits of samples [first, first + kLanes) from the bits of a block's samples.
 FIRSTHIT_PURE std::uint64_t lane_bits(std::uint64_t samples, int first)
 {
     return (samples >> first) & ((std::uint64_t(1) << kLanes) - 1);
 }
 
-/// Table lookups. The indices must be inside the table in every lane.
+/// Table look-up. The index of every lane must be inside the table.
 FIRSTHIT_PURE real gather(const float* table, integer index)
 {
     return real(hn::GatherIndex(RealTag(), table, index.lanes));

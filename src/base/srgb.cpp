@@ -1,4 +1,4 @@
-// srgb.cpp - between 8-bit sRGB codes and linear light.
+// srgb.cpp - converts between 8-bit sRGB codes and linear light.
 #include "base/srgb.h"
 
 #include <cmath>
@@ -35,7 +35,7 @@ std::uint8_t srgb_from_linear(float linear)
 
 SrgbTable::SrgbTable()
 {
-    // Bisect the floats, whose bits are ordered like their values, for the first one of each code.
+    // Finds the first float of each code by bisection over the bits, which are ordered like values.
     std::uint32_t low = 0;
     for (std::uint32_t code = 1; code < 256; ++code) {
         std::uint32_t high = kOne;

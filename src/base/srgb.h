@@ -1,4 +1,4 @@
-// srgb.h - between 8-bit sRGB codes and linear light.
+// srgb.h - converts between 8-bit sRGB codes and linear light.
 //
 // source  IEC 61966-2-1
 #pragma once
@@ -11,21 +11,22 @@
 
 namespace firsthit {
 
-/// Linear light, 0 to 1, of each code.
+/// The linear light, in [0, 1], of each code.
 const std::array<float, 256>& linear_from_srgb();
 
-/// What is displayed, 0 to 1, of a linear value clamped to [0, 1]; no number gives 0.
+/// The sRGB value, in [0, 1], of a linear value clamped to [0, 1]; NaN gives 0.
 double srgb_value(float linear);
 
-/// The code nearest to a linear value, by the formula in double precision: clamped to [0, 1], no
-/// number gives 0. The definition that SrgbTable is held against.
+/// The code nearest to a linear value, by the formula in double precision. The value is clamped to
+/// [0, 1]; NaN gives 0. This is the definition that SrgbTable has to equal.
 std::uint8_t srgb_from_linear(float linear);
 
-/// The same codes by table, about 1 ns each.
+/// The same codes from a table, in about 1 ns each.
 ///
-/// A code is constant between two floats, its threshold and that of the next code. The upper bits
-/// of a float (exponent and 7 bits of mantissa) select a bucket that holds at most one threshold: a
-/// bucket is 1/128 wide, relative, and codes grow by at most 255 * 1.055 / 2.4 a relative 1, at 1.
+/// A code is constant between two floats, its own threshold and that of the next code. The upper
+/// bits of a float (exponent and 7 bits of mantissa) select a bucket. No bucket holds more than one
+/// threshold: its relative width is at most 1/128, and codes grow by at most 255 * 1.055 / 2.4 =
+/// 112 per relative change of 1 (this maximum is at 1).
 class SrgbTable {
   public:
     SrgbTable();
@@ -33,7 +34,7 @@ class SrgbTable {
     std::uint8_t code(float linear) const
     {
         constexpr float lowest = std::bit_cast<float>(kLowest);
-        // Written so that no number becomes `lowest`, hence 0.
+        // Written so that NaN becomes `lowest`, which has code 0.
         const float above = linear > lowest ? linear : lowest;
         const float x = above < 1.0f ? above : 1.0f;
         const std::uint8_t first =
@@ -41,7 +42,7 @@ class SrgbTable {
         return static_cast<std::uint8_t>(first + (x >= threshold_[first + 1u]));
     }
 
-    /// codes.size() = linear.size()
+    /// Converts an array. codes.size() must equal linear.size().
     void codes(std::span<const float> linear, std::span<std::uint8_t> codes) const;
 
   private:

@@ -1,4 +1,4 @@
-// stopwatch.h - milliseconds since the last look.
+// stopwatch.h - measures the time between calls of lap_ms().
 #pragma once
 
 #include <chrono>

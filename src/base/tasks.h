@@ -11,10 +11,10 @@
 
 namespace firsthit {
 
-/// A number of threads, handed to whoever loops. Results must not depend on it.
+/// Runs loops on a number of threads. Results of a loop must not depend on that number.
 class Tasks {
   public:
-    /// threads  0: one for each core
+    /// threads  number of threads, including the caller's; 0: one for each core
     explicit Tasks(int threads) : threads_(threads > 0 ? threads : cores())
     {
         if (threads_ > 1) pool_ = make_process_owned<ThreadPool>(threads_ - 1);
@@ -22,9 +22,9 @@ class Tasks {
 
     int threads() const { return threads_; }
 
-    /// Calls body(i, worker) for each i in [0, count), as workers become free. worker is below
+    /// Calls body(i, worker) for each i in [0, count), as workers become free. worker is less than
     /// threads(), and no two calls with the same worker overlap.
-    /// throws  the first error that body threw; what had not begun by then is left out
+    /// throws  the first error that body threw; calls that had not begun by then are not made
     template <class Body>
     void for_each(std::size_t count, const Body& body)
     {
@@ -46,7 +46,7 @@ class Tasks {
                 &share});
     }
 
-    /// Calls body(first, last) for ranges of `grain` that cover [0, count).
+    /// Calls body(first, last) for ranges of `grain` elements that cover [0, count).
     template <class Body>
     void for_ranges(std::size_t count, std::size_t grain, const Body& body)
     {
@@ -59,7 +59,7 @@ class Tasks {
     static int cores() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
     int threads_;
-    ProcessOwned<ThreadPool> pool_; // null: the caller's thread is all there is
+    ProcessOwned<ThreadPool> pool_; // null: everything runs on the caller's thread
 };
 
 } // namespace firsthit

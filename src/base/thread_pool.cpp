@@ -1,4 +1,4 @@
-// thread_pool.cpp - threads that help with loops, and stay awake between them.
+// thread_pool.cpp - helper threads for loops that spin for a moment before they sleep.
 #include "base/thread_pool.h"
 
 #include <algorithm>
@@ -11,48 +11,53 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long a thread that waits stays awake. Between the loops of a frame are less.
-constexpr auto kAwake = std::chrono::microseconds(150);
+/// How long a waiting thread spins before it sleeps. Longer than the pauses between a frame's
+/// loops.
+constexpr auto kSpinTime = std::chrono::microseconds(150);
 
-// The state of a loop: a bit, whether helpers may still come in; 11 bits, how many did; its number.
-// One word, so that nobody comes in once it is closed.
+// The state of a loop is one word, so that no helper can enter a loop that was just closed:
+//
+//     bit 0        open: helpers may still enter
+//     bits 1-11    how many helpers have entered
+//     bits 12-31   the number of the loop
 constexpr std::uint32_t kOpen = 1;
-constexpr std::uint32_t kOneMore = 2;
+constexpr std::uint32_t kOneHelper = 2;
 constexpr std::uint32_t kNextLoop = 1u << 12;
-constexpr int kMostHelpers = int(kNextLoop / kOneMore) - 1;
+constexpr int kMostHelpers = int(kNextLoop / kOneHelper) - 1;
 
 bool is_open(std::uint32_t state)
 {
     return (state & kOpen) != 0;
 }
-std::uint32_t came_in(std::uint32_t state)
+std::uint32_t entered(std::uint32_t state)
 {
-    return state % kNextLoop / kOneMore;
+    return state % kNextLoop / kOneHelper;
 }
 std::uint32_t number(std::uint32_t state)
 {
     return state / kNextLoop;
 }
 
-/// Returns when the value is no longer what it was, or after kAwake.
-template <class Rest>
-std::uint32_t watch(const std::atomic<std::uint32_t>& value, std::uint32_t was, const Rest& rest)
+/// Spins until the value differs from `old`, or for kSpinTime. Returns the value.
+template <class Pause>
+std::uint32_t spin_while(
+    const std::atomic<std::uint32_t>& value, std::uint32_t old, const Pause& pause)
 {
-    const auto until = Clock::now() + kAwake;
+    const auto until = Clock::now() + kSpinTime;
     while (true) {
         for (int k = 0; k < 32; ++k) {
             const std::uint32_t now = value.load(std::memory_order_acquire);
-            if (now != was) return now;
-            rest();
+            if (now != old) return now;
+            pause();
         }
-        if (Clock::now() > until) return was;
+        if (Clock::now() > until) return old;
     }
 }
 
 } // namespace
 
 ThreadPool::ThreadPool(int helpers)
-    : crowded_(helpers >= int(std::max(1u, std::thread::hardware_concurrency())))
+    : oversubscribed_(helpers >= int(std::max(1u, std::thread::hardware_concurrency())))
 {
     helpers = std::clamp(helpers, 0, kMostHelpers);
     helpers_.reserve(std::size_t(helpers));
@@ -60,13 +65,13 @@ ThreadPool::ThreadPool(int helpers)
         for (int k = 1; k <= helpers; ++k)
             helpers_.emplace_back([this, k] { help(std::size_t(k)); });
     } catch (const std::system_error&) {
-        // As many as there are do the work.
+        // The threads that could be started do the work.
     }
 }
 
 ThreadPool::~ThreadPool()
 {
-    ends_.store(true, std::memory_order_relaxed);
+    stopping_.store(true, std::memory_order_relaxed);
     state_.fetch_add(kNextLoop);
     state_.notify_all();
     for (std::thread& helper : helpers_) helper.join();
@@ -74,21 +79,23 @@ ThreadPool::~ThreadPool()
 
 void ThreadPool::run(Work work)
 {
-    if (runs_.exchange(true, std::memory_order_acquire)) return work.call(work.context, 0);
+    if (running_.exchange(true, std::memory_order_acquire)) return work.call(work.context, 0);
     work_ = work;
-    left_.store(0, std::memory_order_relaxed);
+    finished_.store(0, std::memory_order_relaxed);
     const std::uint32_t loop = (number(state_.load(std::memory_order_relaxed)) + 1) * kNextLoop;
-    state_.store(loop + kOpen); // in one order with the count of sleepers that notify_all reads
+    // Sequentially consistent, because notify_all reads a count of sleepers: otherwise a helper
+    // that is about to sleep could be missed.
+    state_.store(loop + kOpen);
     state_.notify_all();
     do_work(0);
-    const std::uint32_t all = came_in(state_.fetch_and(~kOpen, std::memory_order_acq_rel));
-    for (std::uint32_t left = left_.load(std::memory_order_acquire); left != all;) {
-        const std::uint32_t now = watch(left_, left, [&] { rest(); });
-        if (now == left) left_.wait(left, std::memory_order_acquire);
-        left = left_.load(std::memory_order_acquire);
+    const std::uint32_t all = entered(state_.fetch_and(~kOpen, std::memory_order_acq_rel));
+    for (std::uint32_t done = finished_.load(std::memory_order_acquire); done != all;) {
+        const std::uint32_t now = spin_while(finished_, done, [&] { pause(); });
+        if (now == done) finished_.wait(done, std::memory_order_acquire);
+        done = finished_.load(std::memory_order_acquire);
     }
     const std::exception_ptr error = std::exchange(error_, nullptr);
-    runs_.store(false, std::memory_order_release);
+    running_.store(false, std::memory_order_release);
     if (error) std::rethrow_exception(error);
 }
 
@@ -97,33 +104,33 @@ void ThreadPool::help(std::size_t worker)
     std::uint32_t last = 0;
     while (true) {
         const std::uint32_t loop = next_loop(last);
-        if (ends_.load(std::memory_order_relaxed)) return;
+        if (stopping_.load(std::memory_order_relaxed)) return;
         last = loop;
         if (!enter(loop)) continue;
         do_work(worker);
-        left_.fetch_add(1);
-        left_.notify_one();
+        finished_.fetch_add(1);
+        finished_.notify_one();
     }
 }
 
-/// The number of a loop that is not the last; it need not be open any more.
+/// Waits for a loop other than `last`. Returns its number; it may be closed already.
 std::uint32_t ThreadPool::next_loop(std::uint32_t last) const
 {
     while (true) {
         const std::uint32_t state = state_.load(std::memory_order_acquire);
         if (number(state) != last) return number(state);
-        if (watch(state_, state, [&] { rest(); }) == state)
+        if (spin_while(state_, state, [&] { pause(); }) == state)
             state_.wait(state, std::memory_order_acquire);
     }
 }
 
-/// Whether the helper takes part in the loop of that number.
+/// Enters the loop of that number. False if it is closed.
 bool ThreadPool::enter(std::uint32_t loop)
 {
     std::uint32_t state = state_.load(std::memory_order_acquire);
     while (is_open(state) && number(state) == loop)
         if (state_.compare_exchange_weak(
-                state, state + kOneMore, std::memory_order_acq_rel, std::memory_order_acquire))
+                state, state + kOneHelper, std::memory_order_acq_rel, std::memory_order_acquire))
             return true;
     return false;
 }
@@ -138,11 +145,11 @@ void ThreadPool::do_work(std::size_t worker)
     }
 }
 
-/// A moment of waiting. Where threads share cores, others may go on.
-void ThreadPool::rest() const
+/// One step of spinning. Yields the core to other threads if there are more threads than cores.
+void ThreadPool::pause() const
 {
 #if defined(__x86_64__)
-    if (!crowded_) return __builtin_ia32_pause();
+    if (!oversubscribed_) return __builtin_ia32_pause();
 #endif
     std::this_thread::yield();
 }

@@ -1,4 +1,4 @@
-// thread_pool.h - threads that help with loops, and stay awake between them.
+// thread_pool.h - helper threads for loops that spin for a moment before they sleep.
 #pragma once
 
 #include <atomic>
@@ -11,28 +11,30 @@
 
 namespace firsthit {
 
-/// Threads that take part in whatever the caller's thread runs. After each loop they stay awake for
-/// a moment: a frame is a dozen loops, some of a tenth of a millisecond, and to wake a thread takes
-/// a quarter of that. Then they sleep in the kernel until the next loop.
+/// Helper threads that run a loop together with the caller's thread. After a loop they spin for a
+/// moment before they sleep in the kernel: a frame is a dozen loops, some of which take a tenth of
+/// a millisecond, and waking a thread takes a quarter of that.
 ///
-/// After fork() the child has no helpers: there run() works on the caller's thread alone, and the
+/// After fork() the child process has no helpers: run() works on the caller's thread alone, and the
 /// destructor must not be called (see process_owned.h).
 class ThreadPool {
   public:
-    /// What everybody who takes part calls once, with its number.
+    /// The function that every participating thread calls once, with its worker number.
     struct Work {
         void (*call)(void* context, std::size_t worker);
         void* context;
     };
 
-    /// Starts that many threads, or fewer where the system has no more.
+    /// Starts that many threads, or fewer if the system cannot start more.
     explicit ThreadPool(int helpers);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    /// Calls work with 0 on the caller's thread, and with 1 to `helpers` on those that come before
-    /// this is done; returns when all are. Inside of another run, or beside it, the caller works alone.
+    /// Calls work with worker 0 on the caller's thread, and with workers 1 to `helpers` on the
+    /// helpers that arrive before that call has returned. Returns when all calls have returned.
+    /// While another run is going on, in this or another thread, only the caller's thread takes
+    /// part.
     /// throws  the first error that work threw
     void run(Work work);
 
@@ -41,18 +43,19 @@ class ThreadPool {
     std::uint32_t next_loop(std::uint32_t last) const;
     bool enter(std::uint32_t loop);
     void do_work(std::size_t worker);
-    void rest() const;
+    void pause() const;
 
-    bool crowded_; // more threads than cores
+    bool oversubscribed_; // more threads than cores
     std::mutex error_mutex_;
     std::exception_ptr error_;
-    std::atomic<bool> runs_{false};
+    std::atomic<bool> running_{false};
     Work work_{};
-    /// Whether the loop is open to helpers, how many came in, and its number; see thread_pool.cpp.
+    /// State of the current loop: number, helpers that entered, open or closed; see
+    /// thread_pool.cpp.
     std::atomic<std::uint32_t> state_{0};
-    std::atomic<std::uint32_t> left_{0}; // of those who came in
-    std::atomic<bool> ends_{false};
-    std::vector<std::thread> helpers_; // last, so that they find all else made
+    std::atomic<std::uint32_t> finished_{0}; // helpers that entered the loop and have finished
+    std::atomic<bool> stopping_{false};
+    std::vector<std::thread> helpers_; // last: they use the members above
 };
 
 } // namespace firsthit

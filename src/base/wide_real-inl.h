@@ -1,8 +1,8 @@
-// wide_real-inl.h - two SIMD registers as one number: what `real` means in src/glsl/ for long chains.
+// wide_real-inl.h - the type `real` of src/glsl/ for long dependency chains: two SIMD registers.
 //
-// A sample's light is a chain of some hundred operations that wait for each other. Two registers side
-// by side, operation by operation, keep the processor busy meanwhile; it does not look far enough
-// ahead to find the next register by itself. Each lane's bits are those of simd_real-inl.h.
+// Shading a sample is a chain of some hundred operations that depend on each other. Interleaving
+// two independent registers, operation by operation, hides their latency; out-of-order execution
+// alone does not reach far enough ahead. Each lane has the same bits as in simd_real-inl.h.
 #if defined(FIRSTHIT_BASE_WIDE_REAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_BASE_WIDE_REAL_INL_H_
 #undef FIRSTHIT_BASE_WIDE_REAL_INL_H_
@@ -120,7 +120,7 @@ FIRSTHIT_PURE real intBitsToFloat(integer a)
     return real(HWY_NAMESPACE::intBitsToFloat(a.low), HWY_NAMESPACE::intBitsToFloat(a.high));
 }
 
-/// From and to memory that is aligned to 64 bytes at sample 0.
+/// Load from and store to an array that is aligned to 64 bytes, at a multiple of kLanes.
 FIRSTHIT_PURE real load(const float* p)
 {
     return real(HWY_NAMESPACE::load(p), HWY_NAMESPACE::load(p + kLanes / 2));
@@ -136,7 +136,7 @@ FIRSTHIT_PURE void store(real a, float* p)
     HWY_NAMESPACE::store(a.high, p + kLanes / 2);
 }
 
-/// The kLanes lowest bits as lanes, bit 0 in lane 0; and back.
+/// Convert the kLanes lowest bits to lanes, bit 0 to lane 0, and back.
 FIRSTHIT_PURE truth truth_of_bits(std::uint64_t bits)
 {
     return {HWY_NAMESPACE::truth_of_bits(bits), HWY_NAMESPACE::truth_of_bits(bits >> (kLanes / 2))};
@@ -147,7 +147,7 @@ FIRSTHIT_PURE std::uint64_t bits_of_truth(truth a)
                                                      << (kLanes / 2);
 }
 
-/// Bits of the lanes that hold samples [first, first + kLanes) of a block.
+/// Extracts the bits of samples [first, first + kLanes) from the bits of a block's samples.
 FIRSTHIT_PURE std::uint64_t lane_bits(std::uint64_t samples, int first)
 {
     return (samples >> first) & ((std::uint64_t(1) << kLanes) - 1);
@@ -155,7 +155,7 @@ FIRSTHIT_PURE std::uint64_t lane_bits(std::uint64_t samples, int first)
 
 #include "base/real_vectors.inl"
 
-/// The same in both registers.
+/// Broadcasts one register to both.
 FIRSTHIT_PURE real3 both(const HWY_NAMESPACE::real3& v)
 {
     return real3(real(v.x), real(v.y), real(v.z));
