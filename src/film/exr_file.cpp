@@ -17,12 +17,13 @@ namespace firsthit {
 
 namespace {
 
-/// What OpenEXR writes through.
+/// An output stream of OpenEXR that writes to an OutputFile.
 class ExrStream : public Imf::OStream {
   public:
     explicit ExrStream(OutputFile& file) : Imf::OStream(file.path().c_str()), file_(file) {}
     void write(const char c[], int n) override { file_.write(c, static_cast<std::size_t>(n)); }
-    /// Called from a destructor of OpenEXR too, so it leaves the error to the next write.
+    /// OpenEXR also calls this from a destructor, so errors are not thrown here but by the next
+    /// write.
     std::uint64_t tellp() override
     {
         try {
@@ -45,7 +46,7 @@ Imf::FrameBuffer frame_buffer(const PlaneView& plane, const std::vector<std::str
                              : static_cast<const void*>(plane.value.data());
     const std::size_t x_stride = 4 * static_cast<std::size_t>(plane.channels);
     const std::size_t y_stride = x_stride * static_cast<std::size_t>(plane.width);
-    // OpenEXR's slices serve reading too, hence not const.
+    // OpenEXR's slices are used for reading as well, so they are not const.
     char* first = const_cast<char*>(static_cast<const char*>(data));
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < names.size(); ++c)
@@ -60,7 +61,7 @@ void write_exr(
 {
     Imf::Header header(plane.width, plane.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    header.zipCompressionLevel() = 1; // three times as fast as the default, files 3% larger
+    header.zipCompressionLevel() = 1; // three times as fast as the default; files are 3% larger
     for (const std::string& name : channel_names)
         header.channels().insert(name, Imf::Channel(plane.item.empty() ? Imf::FLOAT : Imf::UINT));
 
@@ -71,7 +72,7 @@ void write_exr(
         exr.setFrameBuffer(frame_buffer(plane, channel_names));
         exr.writePixels(plane.height);
     } catch (const std::exception& error) {
-        // Where the file failed, commit() has the reason; OpenEXR words it in its own way.
+        // If writing the file failed, commit() throws the better message.
         if (!file.failed())
             throw FileError(fmt::format("{}: cannot write: {}", path, error.what()));
     }

@@ -1,8 +1,9 @@
-// fill_holes.cpp - gives pixels without a colour of their own the colours around them.
+// fill_holes.cpp - fills pixels that have no colour with the mean of the colours around them.
 //
-// Most holes have a pixel beside them. Rows that have their neighbours in the range are done a
-// register at a time as far as 5 x 5 windows go; what is left is done hole by hole. Registers also
-// load, and drop, colours of holes, which is why the neighbours have to be the same caller's.
+// Most holes have a pixel with a colour beside them. So rows are done a register at a time with
+// windows of 3 x 3 and 5 x 5, and the holes that remain one by one. Registers also load the colours
+// of holes, and drop them; other threads may be writing those, so this is done only for rows whose
+// neighbours are in the range too.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "film/fill_holes.cpp"
 #include "base/simd.h"
@@ -33,7 +34,7 @@ std::uint64_t bits_of(M mask)
     return word;
 }
 
-/// Lanes whose pixels are holes.
+/// The lanes whose pixels are holes, as bits.
 std::uint64_t holes_at(const HolePicture& picture, std::size_t at)
 {
     const hn::Rebind<std::uint32_t, Floats> wide;
@@ -41,8 +42,9 @@ std::uint64_t holes_at(const HolePicture& picture, std::size_t at)
     return bits_of(hn::RebindMask(Floats(), hn::Ne(hole, hn::Zero(wide))));
 }
 
-/// Fills the wanted ones of a register of holes from `at` on with what is kReach around them; none
-/// of them is nearer to the picture's edge. Returns those that have nothing there.
+/// Fills the `wanted` lanes of the register of pixels that starts at `at` from the ring at kReach
+/// around each. No wanted pixel may be nearer to the picture's edge than kReach. Returns the lanes
+/// whose ring has only holes.
 template <int kReach>
 std::uint64_t fill_register(const HolePicture& picture, std::size_t at, std::uint64_t wanted)
 {
@@ -66,7 +68,7 @@ std::uint64_t fill_register(const HolePicture& picture, std::size_t at, std::uin
         for (int dx = -kReach; dx <= kReach; dx += dy == -kReach || dy == kReach ? 1 : 2 * kReach)
             add(dx, dy);
 
-    // Other threads may be reading the pixels between: only holes are written.
+    // Writes the filled holes only, because other threads may be reading the pixels between them.
     alignas(64) float mean[3 * hn::MaxLanes(d)];
     hn::StoreInterleaved3(
         hn::Div(red, weight), hn::Div(green, weight), hn::Div(blue, weight), d, mean);
@@ -78,7 +80,7 @@ std::uint64_t fill_register(const HolePicture& picture, std::size_t at, std::uin
     return wanted & ~filled;
 }
 
-/// A row whose `margin` neighbours above and below are in the range, at least 1.
+/// Fills the holes of a row. The `margin` >= 1 rows above and below it are in the range.
 std::uint64_t fill_inner_row(const HolePicture& picture, int y, int margin)
 {
     const int lanes = int(hn::Lanes(Floats())), width = picture.width;

@@ -1,4 +1,4 @@
-// fill_one_hole.cpp - the colours around one pixel.
+// fill_one_hole.cpp - fills a single hole of a picture.
 #include "film/fill_one_hole.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace firsthit {
 namespace {
 
-/// What comes together from around a hole.
+/// The weighted sum of the colours around a hole.
 struct WeightedColor {
     float sum[3] = {};
     float weight = 0;
@@ -18,8 +18,8 @@ struct WeightedColor {
     }
 };
 
-/// Adds the pixels of one ring that are no holes: those at `reach` from (x, y) in x or y. All
-/// windows inside have none.
+/// Adds the pixels of one ring that are not holes. The ring is the border of the window around (x,
+/// y); all pixels inside it are holes.
 void add_ring(const HolePicture& picture, int x, int y, int reach, WeightedColor& mean)
 {
     const auto add = [&](int px, int py) {

@@ -13,10 +13,10 @@ struct AovShape {
     int channels;
 };
 
-// By Aov.
+// Indexed by Aov.
 constexpr AovShape kShapes[kAovCount] = {
     {"item", 1}, {"depth", 1}, {"distance", 1}, {"uv", 2}, {"normal", 3}, {"geometric_normal", 3},
-    {"position", 3}, {"albedo", 3}, {"barycentric", 2}, {"lit", 0}, // by the lights
+    {"position", 3}, {"albedo", 3}, {"barycentric", 2}, {"lit", 0}, // lit: a channel a light
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// film_size.cpp - room for the planes of a film.
+// film_size.cpp - sets the sizes of a film's planes.
 #include "film/film_size.h"
 
 #include "base/large_pages.h"

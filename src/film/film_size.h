@@ -1,4 +1,4 @@
-// film_size.h - room for the planes of a film.
+// film_size.h - sets the sizes of a film's planes.
 #pragma once
 
 #include <firsthit/film.h>
@@ -8,12 +8,12 @@
 
 namespace firsthit {
 
-/// Gives the planes that are asked for their size. Allocates only where the film grows.
-/// lights  of the world: the channels of the plane `lit`
+/// Sets the sizes of the planes that are asked for. Allocates only where the film grows.
+/// lights  number of lights of the world, which is the number of channels of the plane `lit`
 void resize(
     Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights);
 
-/// Empties the planes that are not asked for.
+/// Sets the size of all other planes to zero.
 void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
 
 } // namespace firsthit

@@ -16,8 +16,9 @@ namespace firsthit {
 
 namespace {
 
-/// One picture on its way through libpng, which leaves errors by longjmp: so the function that
-/// calls it keeps no object with a destructor, all are in here.
+/// All objects that writing a picture with libpng needs. libpng reports errors by longjmp, which
+/// must not skip destructors, so the function that calls it keeps these objects here and has none
+/// itself.
 struct PngWriter {
     OutputFile file;
     const PlaneView& color;
@@ -60,7 +61,7 @@ void write_bytes(png_structp png, png_bytep data, std::size_t bytes)
 
 void flush_nothing(png_structp) {}
 
-/// False where libpng gave up; `message` has the reason.
+/// Writes the picture. False if libpng failed; `message` has the reason.
 bool write_rows(PngWriter& writer)
 {
     png_structp png = writer.png;

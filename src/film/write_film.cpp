@@ -1,4 +1,4 @@
-// write_film.cpp - which plane goes to which format.
+// write_film.cpp - writes a film's planes; the ending of each path chooses the format.
 #include "io/output_file.h"
 #include "film/picture_files.h"
 
@@ -15,7 +15,8 @@ namespace firsthit {
 
 namespace {
 
-/// ".png": lower case. A device has no ending of its own and takes the format given.
+/// The path's ending in lower case, such as ".png". A device such as /dev/null has none; returns
+/// `of_device` for it.
 std::string ending_of(const std::string& path, const char* of_device)
 {
     std::string ending = std::filesystem::path(path).extension().string();
