@@ -1,4 +1,4 @@
-// careful_hit.cpp - plain doubles where their error bound allows it, else expansions.
+// careful_hit.cpp - hits of a triangle for which plain double arithmetic is not precise enough.
 #include "exact/careful_hit.h"
 
 #include "exact/expansion.h"
@@ -12,18 +12,18 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-/// |a.y b.z| + |a.z b.y|, ...: what bounds the error of a x b.
+/// |a.y b.z| + |a.z b.y|, ...: sizes that bound the rounding error of a x b.
 dvec3 cross_size(const dvec3& a, const dvec3& b)
 {
     return {std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
         std::abs(a.x * b.y) + std::abs(a.y * b.x)};
 }
 
-/// A sum and that of its terms' sizes.
+/// A sum, and the sum of the sizes of its terms.
 struct Sum {
     double value, size;
 
-    bool is_precise() const { return size <= kMostLost * std::abs(value); } // no number: false
+    bool is_precise() const { return size <= kMostLost * std::abs(value); } // NaN: false
 };
 
 Sum dot(const dvec3& a, const dvec3& b)
@@ -32,7 +32,7 @@ Sum dot(const dvec3& a, const dvec3& b)
     return {(term.x + term.y) + term.z, (std::abs(term.x) + std::abs(term.y)) + std::abs(term.z)};
 }
 
-/// The axis `axis` of (v1 - v0) x (v2 - v0), from products that are exact.
+/// Component `axis` of (v1 - v0) x (v2 - v0), by an expansion of exact products.
 double exact_normal(const Corners& c, int axis)
 {
     const int y = (axis + 1) % 3, z = (axis + 2) % 3;
@@ -74,7 +74,8 @@ CarefulHit::CarefulHit(const Corners& corners) : corners_(corners)
 
 CarefulHit::Plain CarefulHit::plain(const vec3& d) const
 {
-    // A difference of corners has a rounding, a product one, their difference one; then come d and two sums.
+    // Roundings of a term: the differences of corners, their product, the difference of products,
+    // the product with d, two sums.
     const dvec3 ray(d);
     const Sum det{dot(plain_n_, ray).value, dot(plain_n_size_, glm::abs(ray)).value};
     if (!det.is_precise()) return {};

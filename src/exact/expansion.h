@@ -1,7 +1,7 @@
-// expansion.h - sums of doubles that lose nothing.
+// expansion.h - exact sums and products of doubles.
 //
-// An expansion is a sum of doubles that do not overlap, smallest first, without zeros. Its sign is
-// the sign of its last component.
+// An expansion represents a number as the sum of doubles (components) that do not overlap, smallest
+// first, without zeros. Its sign is the sign of its last component.
 // source  Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 //         Predicates", Discrete & Computational Geometry 18: two-sum (theorem 7), grow-expansion
 //         (theorem 10), scale-expansion (theorem 19), compress (figure 15)
@@ -16,7 +16,7 @@ struct DoubleSum {
     double low; // high + low is the exact result
 };
 
-/// a + b, exactly.
+/// a + b, exactly, if nothing overflows.
 inline DoubleSum two_sum(double a, double b)
 {
     const double high = a + b;
@@ -25,14 +25,15 @@ inline DoubleSum two_sum(double a, double b)
     return {high, (a - a_part) + (b - b_part)};
 }
 
-/// a * b, exactly, where nothing under- or overflows.
+/// a * b, exactly, if nothing under- or overflows.
 inline DoubleSum two_product(double a, double b)
 {
     const double high = a * b;
     return {high, std::fma(a, b, -high)};
 }
 
-/// At most N components. Adding more than N single doubles overruns: choose N by counting.
+/// An expansion of at most N components. Undefined if more than N doubles are added (a product adds
+/// two): choose N by counting the calls of add().
 template <int N>
 class Expansion {
   public:
@@ -45,7 +46,7 @@ class Expansion {
         return component_[size_ - 1] > 0 ? 1 : -1;
     }
 
-    /// Nearest double to within two roundings.
+    /// The value as a double, to within two roundings.
     double estimate() const
     {
         double sum = 0;
@@ -86,7 +87,8 @@ class Expansion {
         for (int i = 0; i < other.size(); ++i) add_product(other[i], factor);
     }
 
-    /// Adds sign * a * b. Call compress() on a and b first: the cost is their sizes' product.
+    /// Adds sign * a * b. Call compress() on a and b first, as the cost is the product of their
+    /// sizes.
     template <int A, int B>
     void add_product(const Expansion<A>& a, const Expansion<B>& b, double sign)
     {
@@ -94,7 +96,7 @@ class Expansion {
             for (int j = 0; j < b.size(); ++j) add_product(sign * a[i], b[j]);
     }
 
-    /// The same value in as few components as can be.
+    /// Reduces the number of components; the value stays the same.
     void compress()
     {
         if (size_ < 2) return;
@@ -123,7 +125,7 @@ class Expansion {
     }
 
   private:
-    /// a + b for |a| >= |b|.
+    /// a + b, exactly, for |a| >= |b|.
     static DoubleSum fast_two_sum(double a, double b)
     {
         const double high = a + b;

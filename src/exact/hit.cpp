@@ -1,4 +1,4 @@
-// hit.cpp - the answers that the double filters leave open.
+// hit.cpp - exact predicates of hits where double precision is uncertain.
 #include "exact/hit.h"
 
 #include "exact/expansion.h"
@@ -12,10 +12,10 @@ namespace {
 using glm::vec3;
 
 struct Product2 {
-    double plus, minus; // plus - minus, both exact products of two floats
+    double plus, minus; // the value is plus - minus; both are exact products of two floats
 };
 
-/// The components of a x b as differences of exact products.
+/// The components of a x b, as differences of exact products.
 std::array<Product2, 3> cross_terms(const vec3& a, const vec3& b)
 {
     return {{{double(a.y) * double(b.z), double(a.z) * double(b.y)},
@@ -23,7 +23,7 @@ std::array<Product2, 3> cross_terms(const vec3& a, const vec3& b)
         {double(a.x) * double(b.y), double(a.y) * double(b.x)}}};
 }
 
-/// d . (a x b): six products of a product and a float, two components each.
+/// Adds d . (a x b): six products of an exact product and a float, of two components each.
 template <int N>
 void add_volume(Expansion<N>& sum, const vec3& a, const vec3& b, const vec3& d)
 {
@@ -42,7 +42,7 @@ Expansion<12> volume(const Corners& c)
     return sum;
 }
 
-/// N . d, which is the sum of the three edges.
+/// N . d, which equals the sum of the three edge functions.
 Expansion<36> determinant(const Corners& c, const vec3& d)
 {
     Expansion<36> sum;
@@ -53,9 +53,9 @@ Expansion<36> determinant(const Corners& c, const vec3& d)
     return sum;
 }
 
-/// A triangle's 1/t in doubles as a quotient, with bounds of the errors.
+/// 1/t = det / volume of a triangle in double precision, with bounds of the errors.
 struct InverseDepth {
-    double det, volume;             // both positive
+    double det, volume;             // absolute values
     double det_error, volume_error; // absolute
 };
 
@@ -80,11 +80,12 @@ InverseDepth inverse_depth(const Corners& c, const vec3& d)
         volume += term;
         volume_size += std::abs(term);
     }
-    // det: two differences, a product, a difference, a product, two sums; volume: four roundings.
+    // Roundings of det: two differences, a product, a difference, a product, two sums. Of volume:
+    // four.
     return {std::abs(det), std::abs(volume), 10 * kUlp * det_size, 8 * kUlp * volume_size};
 }
 
-/// The same three points, in whatever order.
+/// Whether both triangles have the same three points, in any order.
 bool same_points(Corners a, Corners b)
 {
     const auto less = [](const vec3& p, const vec3& q) {
@@ -102,7 +103,8 @@ int exact_edge_sign(const vec3& a, const vec3& b, const vec3& d, bool displaced)
     Expansion<12> sum;
     add_volume(sum, a, b, d);
     if (sum.sign() != 0 || !displaced) return sum.sign();
-    // The products are exact and rounding is monotone, so the difference has the right sign.
+    // The first component of a x b that is not zero decides (displacement). Both products are
+    // exact.
     for (const Product2& n : cross_terms(a, b)) {
         if (n.plus > n.minus) return 1;
         if (n.plus < n.minus) return -1;
@@ -133,7 +135,7 @@ int compare_depth(const Corners& a, const Corners& b, const vec3& d, Effort& eff
     ++effort.exact_calls;
     const auto det_a = determinant(a, d), det_b = determinant(b, d);
     const auto volume_a = volume(a), volume_b = volume(b);
-    // Compressed sizes: a determinant of floats within a few octaves has two or three components.
+    // Compressed, a determinant of floats within a few octaves has only two or three components.
     Expansion<2 * 2 * 36 * 12> sum;
     sum.add_product(det_a, volume_b, double(volume_b.sign() * det_a.sign()));
     sum.add_product(det_b, volume_a, -double(volume_a.sign() * det_b.sign()));

@@ -1,26 +1,26 @@
-// hit.h - does a ray hit a triangle, and which of two triangles does it hit first? The one place
-// where that is decided: the rasteriser, the shadow pass and the oracles all call these functions
-// or a filter that is proven to agree with them.
+// hit.h - exact predicates: does a ray hit a triangle, and which of two triangles does it hit
+// first? These functions are the definition of a hit. The rasteriser, the shadow pass and the
+// oracles call them, or a filter that is proven to agree with them.
 //
 // A ray starts at the origin and has the direction d. A triangle is three float vertices relative
-// to the ray's origin; these floats are taken as exact. Everything below is what real arithmetic
-// says of them, whatever the rounding.
+// to the ray's origin; these floats are taken as exact. All answers are those of exact real
+// arithmetic on them.
 //
 //   edge(a, b, d) = d . (a x b)        six times the signed volume of (origin, a, b, d)
-//   volume        = v0 . (v1 x v2)     zero: the origin is in the triangle's plane: no hit
+//   volume        = v0 . (v1 x v2)     no hit if zero: the origin lies in the triangle's plane
 //   hit           iff edge(v0, v1), edge(v1, v2), edge(v2, v0) all have the sign of volume
 //   depth         1 / t = (N . d) / volume, N = (v1 - v0) x (v2 - v0)
 //
-// Where an edge is exactly zero, the ray is displaced: the direction (d.x + e, d.y + e^2, d.z +
-// e^3) for an infinitesimal e > 0 decides. This is one displacement for all edges of all triangles,
-// so a ray through a shared edge or vertex hits exactly one triangle of a fan, and a closed surface
-// is crossed an even number of times. A rule for each edge by itself is not consistent at vertices.
+// If an edge function is exactly zero, its sign is taken for the displaced direction
+// (d.x + e, d.y + e^2, d.z + e^3) with an infinitesimal e > 0. Since all edges of all triangles use
+// the same displacement, a ray through a shared edge or vertex hits exactly one triangle of a fan,
+// and it crosses a closed surface an even number of times. A rule that looks at one edge at a time
+// would not be consistent at vertices.
 //
 // source  Davidovic et al. 2012, "3D Rasterization: A Bridge between Rasterization and Ray
-// Casting",
-//         Graphics Interface (edges as volumes); Olano and Greer 1997, "Triangle Scan Conversion
-//         using 2D Homogeneous Coordinates" (no clipping); Edelsbrunner and Mücke 1990, "Simulation
-//         of Simplicity" (displacement)
+//         Casting", Graphics Interface (edges as volumes); Olano and Greer 1997, "Triangle Scan
+//         Conversion using 2D Homogeneous Coordinates" (no clipping); Edelsbrunner and Mücke 1990,
+//         "Simulation of Simplicity" (displacement)
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -33,15 +33,15 @@ namespace firsthit {
 
 using Corners = std::array<glm::vec3, 3>;
 
-/// How much work the exact answers took.
+/// Counts the exact work.
 struct Effort {
-    std::uint64_t exact_calls = 0; // answered by expansions, after the double filter left it open
+    std::uint64_t exact_calls = 0; // predicates that needed expansions, as doubles were uncertain
 };
 
-/// Vertices this far out, infinite or not a number make their triangle invisible.
+/// A triangle with a vertex that has a coordinate this large, infinite or NaN is invisible.
 inline constexpr float kFarthest = 1e30f;
 
-/// Half a unit in the last place of 1.
+/// The unit roundoff of double: half a unit in the last place of 1.
 inline constexpr double kUlp = 0x1p-53;
 
 inline bool usable(const glm::vec3& p)
@@ -54,34 +54,35 @@ inline bool usable(const Corners& c)
     return usable(c[0]) && usable(c[1]) && usable(c[2]);
 }
 
-/// Sign of d . (a x b) by expansions; 0 where it is exactly zero and `displaced` is false or the
-/// edge has no direction.
+/// Sign of d . (a x b) by expansions. 0 if it is exactly zero and either `displaced` is false or a
+/// and b are parallel.
 int exact_edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, bool displaced);
 
-/// The same in doubles first; expansions only where they cannot tell.
+/// The same, but uses expansions only where double precision is uncertain.
 inline int filtered_edge_sign(
     const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, bool displaced, Effort& effort)
 {
-    // A product of two floats is exact in double: one rounding for each component of a x b.
+    // A product of two floats is exact in double, so each component of a x b has one rounding.
     const double nx = double(a.y) * double(b.z) - double(a.z) * double(b.y);
     const double ny = double(a.z) * double(b.x) - double(a.x) * double(b.z);
     const double nz = double(a.x) * double(b.y) - double(a.y) * double(b.x);
     const double px = nx * double(d.x), py = ny * double(d.y), pz = nz * double(d.z);
     const double e = (px + py) + pz;
-    // Each term carries at most four roundings.
+    // The error of each term is at most four roundings.
     if (std::abs(e) > 8 * kUlp * (std::abs(px) + std::abs(py) + std::abs(pz)))
         return e > 0 ? 1 : -1;
     ++effort.exact_calls;
     return exact_edge_sign(a, b, d, displaced);
 }
 
-/// Sign of edge(a, b, d), displaced. 0 only where a and b are parallel.
+/// Sign of edge(a, b, d) of the displaced ray. 0 only if a and b are parallel.
 inline int edge_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& d, Effort& effort)
 {
     return filtered_edge_sign(a, b, d, true, effort);
 }
 
-/// Sign of v0 . (v1 x v2): 1 where the origin sees the corners clockwise in a right-handed frame.
+/// Sign of v0 . (v1 x v2): 1 if the corners are clockwise as seen from the origin (right-handed
+/// frame).
 inline int volume_sign(const Corners& c, Effort& effort)
 {
     return filtered_edge_sign(c[1], c[2], c[0], false, effort);
@@ -96,23 +97,25 @@ inline bool is_hit(const Corners& c, const glm::vec3& d, Effort& effort)
            edge_sign(c[1], c[2], d, effort) == facing && edge_sign(c[2], c[0], d, effort) == facing;
 }
 
-/// Which of two triangles, both hit by the ray along d, is hit first: -1 for a, 1 for b, 0 where
-/// both depths are exactly equal.
+/// Which of two triangles, both hit by the ray along d, is hit first: -1 for a, 1 for b, 0 if both
+/// depths are exactly equal.
 int compare_depth(const Corners& a, const Corners& b, const glm::vec3& d, Effort& effort);
 
-/// The same in doubles: 0 where they cannot tell.
+/// The same in double precision: 0 where it is uncertain.
 int compare_depth_fast(const Corners& a, const Corners& b, const glm::vec3& d);
 
-/// Whether all six corners lie in one plane, exactly. Then all depths of common hits are equal.
+/// Whether all six corners lie exactly in one plane. Then every ray that hits both triangles hits
+/// them at equal depth.
 bool are_coplanar(const Corners& a, const Corners& b);
 
-/// The depth t of a hit, in units of |d|: a few double roundings from the exact value.
+/// The depth t of a hit, in units of |d|, in plain double arithmetic: a few roundings from the
+/// exact value, unless digits cancel (see careful_hit.h).
 double hit_depth(const Corners& c, const glm::vec3& d);
 
-/// 1 / t of a hit with a relative error below 2^-40, whatever the triangle.
+/// 1 / t of a hit, with a relative error below 2^-40 for any triangle.
 double exact_inverse_depth(const Corners& c, const glm::vec3& d);
 
-/// The weights of corners 1 and 2 at a hit (Embree's u and v), as precisely.
+/// The weights of corners 1 and 2 at a hit (Embree's u and v), with the same precision.
 std::array<double, 2> exact_barycentrics(const Corners& c, const glm::vec3& d);
 
 } // namespace firsthit

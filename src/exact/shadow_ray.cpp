@@ -1,4 +1,4 @@
-// shadow_ray.cpp - does a triangle stand between a light and a point?
+// shadow_ray.cpp - exact predicate: whether a triangle shadows a point from a light.
 #include "exact/shadow_ray.h"
 
 #include "exact/expansion.h"
@@ -10,14 +10,14 @@ namespace {
 
 using glm::vec3;
 
-/// The corners whose pencil through the origin holds the light's rays.
+/// The corners of a triangle that a ray from the origin hits if and only if the light's ray hits c.
 Corners pencil_corners(const PencilSpace& space, const Corners& c)
 {
     if (!space.directional) return c;
     return {vec3(c[0].x, c[0].y, 1), vec3(c[1].x, c[1].y, 1), vec3(c[2].x, c[2].y, 1)};
 }
 
-/// facing * N . (d - v0) > (margin of the point + margin of the corners) * |N|, by expansions. N is
+/// facing * N . (d - v0) > (of_point + of_corners) * (|N.x| + |N.y| + |N.z|), by expansions. N is
 /// the sum of a x b over the edges, whose products of two floats are exact in double.
 bool exactly_behind(const Corners& c, int facing, const vec3& d, float of_point, float of_corners)
 {
@@ -30,7 +30,7 @@ bool exactly_behind(const Corners& c, int facing, const vec3& d, float of_point,
             n[axis].add(-(double(a[j]) * double(b[i])));
         }
     }
-    Expansion<144> height; // 3 axes, 4 factors, 6 components, 2 each
+    Expansion<144> height; // 3 axes * 4 factors * 6 components * 2 doubles for each product
     for (int axis = 0; axis < 3; ++axis) {
         height.add_scaled(n[axis], double(facing) * double(d[axis]));
         height.add_scaled(n[axis], -double(facing) * double(c[0][axis]));
@@ -40,7 +40,7 @@ bool exactly_behind(const Corners& c, int facing, const vec3& d, float of_point,
     return height.sign() > 0;
 }
 
-/// The same in doubles first.
+/// The same, but uses expansions only where double precision is uncertain.
 bool is_behind(const Corners& c, int facing, const vec3& d, float of_point, Effort& effort)
 {
     const float of_corners = corner_margin(c);
@@ -54,8 +54,8 @@ bool is_behind(const Corners& c, int facing, const vec3& d, float of_point, Effo
         const double n = plus - minus, n_size = std::abs(plus) + std::abs(minus);
         height += n * h[axis];
         length += std::abs(n);
-        // Of h: three roundings in n's terms, its own, a difference, a product, two sums; of the
-        // margin's side: as many.
+        // Roundings of height: three in the terms of n, then its own, the difference h, the
+        // product, two sums. The margin's side of the inequality has as many.
         size += n_size * (std::abs(h[axis]) + margin);
     }
     const double ahead = facing * height - margin * length;
@@ -78,9 +78,10 @@ PencilSpace light_space(const Light& light, const glm::dvec3& eye)
         space.reach = float(largest(light.position) + largest(eye));
         return space;
     }
-    // In two steps: the squares of the first would under- or overflow.
+    // Scaled before it is normalised, as squares of the coordinates could under- or overflow.
     const glm::dvec3 z = glm::normalize(light.direction / largest(light.direction));
-    // Across: away from the axis that the light is nearest to, so that axes stay axes.
+    // Start from the world axis that is most perpendicular to z, so that a light along a world axis
+    // has world axes.
     const glm::dvec3 size = glm::abs(z);
     glm::dvec3 away(0);
     away[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;

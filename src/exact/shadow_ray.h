@@ -1,32 +1,32 @@
-// shadow_ray.h - does a triangle stand between a light and a point? The one place where that is
-// decided: the irregular z-buffer and the oracles call these functions, or a filter that is proven
-// to agree with them.
+// shadow_ray.h - exact predicate: whether a triangle shadows a point from a light. These functions
+// are the definition of exact shadows. The irregular z-buffer and the oracles call them, or a
+// filter that is proven to agree with them.
 //
-// Points and vertices are moved into the light's space once and rounded to float; these floats are
-// then exact. A point light stands at the origin, and the shadow ray of a point d is the ray along
-// d (exact/hit.h). A directional light shines along z, and the shadow ray of d comes from z =
-// -infinity through (d.x, d.y): the same predicates with 1 in the place of z say which triangles it
-// hits.
+// Points and vertices are moved into the light's space and rounded to float once; these floats are
+// then taken as exact. A point light is at the origin, and the shadow ray of a point d is the ray
+// along d (exact/hit.h). A directional light shines along z, and the shadow ray of d comes from
+// z = -infinity through (d.x, d.y). Whether it hits a triangle is decided by the same predicates,
+// with the z of the ray and of all corners replaced by 1.
 //
 //   shadowed  iff the ray hits, and d lies behind the triangle's plane by more than both margins:
 //             facing * N . (d - v0) > (shadow_margin(d) + corner_margin) * (|N.x| + |N.y| + |N.z|)
 //
-// The margins are as large as the roundings on the way to d and to the corners, and nothing else:
-// without them a point would now and then be shadowed by a neighbour of the triangle that it lies
-// on, or by one in the same plane. The plane of a large triangle is off by as much as its farthest
-// corner, also near the light. Margins are distances from the plane, not along the ray, so grazing
-// light needs no more of them.
+// The margins bound the rounding errors of d and of the corners, and contain nothing else. Without
+// them a point would sometimes be shadowed by a neighbour of the triangle that it lies on, or by a
+// triangle in the same plane. The corner margin depends on the farthest corner, because a large
+// triangle's plane is off by as much everywhere, also near the light. Margins are distances from
+// the plane, not along the ray, so they need not grow for grazing light.
 //
-// A point that is known to lie on a triangle is first moved off its plane, towards the light, by
-// half its margins (lifted): roundings may have put it behind, where a ray that grazes the triangle
-// would enter the surface through the next one, far above the point if that is steeper.
-//
+// A point that is known to lie on a triangle (its receiver) is first moved off the triangle's plane
+// towards the light, by half the margins (see lifted). Rounding may have put the point behind the
+// plane; there a grazing ray would enter the surface through the next triangle, and if that is
+// steeper, far above the point.
 //        light .                      ____ the surface
 //                 '  .  ___....---'''
 //                  ___':-  -  -  -  -  x     a point too low, and its ray
 //                 /
 //
-// Everything is what real arithmetic says of the floats.
+// All answers are those of exact real arithmetic on the floats.
 #pragma once
 
 #include "exact/hit.h"
@@ -40,26 +40,26 @@
 
 namespace firsthit {
 
-/// Of the size of the numbers that were rounded: four roundings of a point and two of its way to
-/// the light, twice.
+/// A margin relative to the size of the numbers that were rounded: twice the sum of the four
+/// roundings of a point's position and the two of its move into the light's space.
 inline constexpr float kShadowMargin = 0x1p-21f;
 
-/// Margins are floats: of a point and of corners together they are within two roundings, and
-/// this, of what real arithmetic says.
+/// Margins are computed in float. The sum of a point's and a triangle's margin is within two
+/// roundings plus this absolute error of the exact sum.
 inline constexpr double kMarginUnderflow = 0x1p-149;
 
-/// A light's frame.
+/// The space of a light: its position or direction. See to_light.
 struct PencilSpace {
     bool directional = false;
     glm::vec3 origin{0}; // point, spot: where the light is
-    glm::dmat3 axes{1};  // directional: rows: across, across, the way the light goes; orthonormal
-    float reach = 0; // what else was rounded on the way: the largest coordinates of light and eye
+    glm::dmat3 axes{1};  // directional: orthonormal; the third row is the direction of the light
+    float reach = 0; // largest coordinates of light and eye, which points were rounded relative to
 };
 
-/// eye  where the points were seen from: their roundings are relative to it too
+/// eye  position from which the points were computed: their rounding errors depend on it
 PencilSpace light_space(const Light& light, const glm::dvec3& eye);
 
-/// A point or vertex as the light sees it, rounded once.
+/// Moves a point or vertex into the light's space, with a single rounding.
 inline glm::vec3 to_light(const PencilSpace& space, const glm::vec3& p)
 {
     if (!space.directional) return p - space.origin;
@@ -75,47 +75,49 @@ inline float largest_coordinate(const glm::vec3& d)
     return std::max(std::max(std::abs(d.x), std::abs(d.y)), std::abs(d.z));
 }
 
-/// How far behind a plane the point has to lie because of its own roundings. In units of the
-/// light's space.
+/// The margin of a point: a bound of its rounding errors, as a distance in the light's space.
 inline float shadow_margin(const PencilSpace& space, const glm::vec3& d)
 {
     return kShadowMargin * (2 * largest_coordinate(d) + space.reach);
 }
 
-/// How much farther because of the triangle's: its corners in the light's space.
+/// The margin of a triangle: a bound of the rounding errors of its corners, which are given in the
+/// light's space.
 inline float corner_margin(const Corners& c)
 {
     return kShadowMargin * std::max(std::max(largest_coordinate(c[0]), largest_coordinate(c[1])),
                                largest_coordinate(c[2]));
 }
 
-/// A triangle as the place of points.
+/// What is needed to lift points off the triangle that they lie on.
 struct Receiver {
-    glm::vec3 away{0}; // from its plane to the light's side; largest coordinate 1, or all 0
+    glm::vec3 away{0}; // normal towards the light; its largest coordinate is 1, or all are 0
     float margin = 0;  // corner_margin
 };
 
-/// side  light_side of the corners; 0 lifts nothing
+/// side  light_side of the corners; the receiver of side 0 does not move points
 Receiver receiver_of(const Corners& c, int side);
 
-/// The point d of the triangle, moved off its plane.
+/// Moves the point d of the receiver off its plane, towards the light.
 inline glm::vec3 lifted(const PencilSpace& space, const glm::vec3& d, const Receiver& receiver)
 {
     const float height = 0.5f * (shadow_margin(space, d) + receiver.margin);
     return d + receiver.away * height;
 }
 
-/// Whether a point can be shadowed at all: finite, and not where the light is.
+/// Whether a point has a shadow ray: it is finite, and not at the light's position. A point without
+/// one is never in shadow.
 inline bool has_shadow_ray(const PencilSpace& space, const glm::vec3& d)
 {
     return usable(d) && (space.directional || d != glm::vec3(0));
 }
 
-/// Whether the triangle (corners in the light's space) shadows the point d.
+/// Whether the triangle shadows the point d. All in the light's space.
 bool is_shadowed(const PencilSpace& space, const Corners& c, const glm::vec3& d, Effort& effort);
 
-/// On which side of the triangle's plane the light is: exact, 0 where it lies in it. 1 where the
-/// light sees the corners clockwise in a right-handed frame, as volume_sign.
+/// The side of the triangle's plane that the light is on, exactly: 1 if the corners are clockwise
+/// as seen from the light (as volume_sign), -1 if not, 0 if the light lies in the plane or the
+/// corners are not usable.
 int light_side(const PencilSpace& space, const Corners& c, Effort& effort);
 
 } // namespace firsthit
