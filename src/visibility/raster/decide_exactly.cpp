@@ -1,4 +1,4 @@
-// decide_exactly.cpp - decides what the float filters of the rasteriser leave open.
+// decide_exactly.cpp - decides samples exactly where the rasteriser's floats are uncertain.
 #include "visibility/raster/decide_exactly.h"
 
 #include <firsthit/scene.h>
@@ -16,8 +16,9 @@ Corners corners_of(const ViewMemory& view, std::uint32_t triangle)
         glm::vec3(view.corner[corner.z])};
 }
 
-/// Whether triangle a (hit, w too close to call) comes before the stored triangle b.
-bool comes_first(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const Corners& corners_a,
+/// Whether triangle a is nearer than the stored triangle b, or equally near with a lower id. The
+/// ray along d hits both, and their w are too close to decide.
+bool is_nearer(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const Corners& corners_a,
     std::uint32_t b, const glm::vec3& d)
 {
     CoplanarCache::Pair& known = tile.coplanar.pair[((a * 0x9E3779B1u) ^ (b * 0x85EBCA77u)) >> 26];
@@ -34,16 +35,16 @@ bool comes_first(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const 
     return order < 0 || (order == 0 && a < b);
 }
 
-/// Stores triangle a at a sample that it hits, if it is nearer.
-void propose(const ViewMemory& view, ItemTile& tile, std::uint32_t a, const Corners& corners,
-    std::size_t offset, float w, const glm::vec3& d)
+/// Stores triangle a at a sample that it covers, if it is nearer than the stored triangle.
+void store_if_nearer(const ViewMemory& view, ItemTile& tile, std::uint32_t a,
+    const Corners& corners, std::size_t offset, float w, const glm::vec3& d)
 {
     const float stored = tile.w[offset];
     const float slack = stored * kDepthSlack;
     if (w - stored < -slack) return;
     if (!(w - stored > slack) && tile.item[offset] != kNoItem) {
         ++tile.counts.ambiguous;
-        if (!comes_first(view, tile, a, corners, tile.item[offset], d)) return;
+        if (!is_nearer(view, tile, a, corners, tile.item[offset], d)) return;
     }
     tile.w[offset] = w;
     tile.item[offset] = a;
@@ -63,8 +64,8 @@ void decide_lanes_exactly(const ViewMemory& view, ItemTile& tile, int i, const L
             ++tile.counts.uncertain;
             if (!is_hit(corners, d, tile.counts.effort)) continue;
         }
-        propose(view, tile, tile.batch.triangle[i], corners, std::size_t(lanes.offset + lane),
-            w[lane], d);
+        store_if_nearer(view, tile, tile.batch.triangle[i], corners,
+            std::size_t(lanes.offset + lane), w[lane], d);
     }
 }
 
@@ -74,7 +75,7 @@ void decide_fragment_exactly(
     const int block = int(offset) / kBlockSamples, inner = int(offset) % kBlockSamples;
     const int x = block % tile.blocks_x() * kBlock + block_x(inner);
     const int y = block / tile.blocks_x() * kBlock + block_y(inner);
-    propose(view, tile, triangle, corners_of(view, triangle), offset, w,
+    store_if_nearer(view, tile, triangle, corners_of(view, triangle), offset, w,
         {tile.x0 + float(x), tile.y0 + float(y), 1.0f});
 }
 
@@ -90,7 +91,7 @@ void decide_box(const ViewMemory& view, ItemTile& tile, int i)
             if (!is_hit(corners, d, tile.counts.effort)) continue;
             const float w = float(std::min(exact_inverse_depth(corners, d), double(kGreatestW)));
             const int offset = tile.column_offset[x] + tile.row_offset[y];
-            propose(view, tile, batch.triangle[i], corners, std::size_t(offset), w, d);
+            store_if_nearer(view, tile, batch.triangle[i], corners, std::size_t(offset), w, d);
         }
     }
 }

@@ -1,4 +1,4 @@
-// raster_kernels-inl.h - a triangle that is set up, over the samples of a tile.
+// raster_kernels-inl.h - kernels that rasterise a triangle of the batch over the samples of a tile.
 #if defined(FIRSTHIT_RASTER_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_RASTER_KERNELS_INL_H
 #undef FIRSTHIT_RASTER_KERNELS_INL_H
@@ -18,12 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// A rectangle of a tile's samples, ends included.
+/// A rectangle of a tile's samples; x1 and y1 are included.
 struct Box {
     int x0, y0, x1, y1;
 };
 
-/// 1/t of a register's samples: float where that is certain, else rounded once from double.
+/// 1/t of a register's samples: computed in float, or if kWide in double and rounded once.
 template <bool kWide, class D>
 HWY_INLINE hn::Vec<D> inverse_depth(D d, const Batch& batch, int i, hn::Vec<D> x, hn::Vec<D> y)
 {
@@ -38,7 +38,7 @@ HWY_INLINE hn::Vec<D> inverse_depth(D d, const Batch& batch, int i, hn::Vec<D> x
     }
 }
 
-/// Triangle i over a box. kCovered: every sample of the box's registers is inside.
+/// Rasterises triangle i over a box. kCovered: every sample of the box's registers is inside.
 template <bool kCovered, bool kWide, class D>
 HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, const Box& box)
 {
@@ -91,8 +91,9 @@ HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, c
     }
 }
 
-/// Triangle i over all samples of a block; its edges hold for whole blocks. As raster_box, but without
-/// a jump that depends on the box or on what a register finds.
+/// Rasterises triangle i over all samples of a block. Its extent (set_up-inl.h) has to include
+/// whole blocks. Like raster_box, but without branches that depend on the box or on single
+/// registers.
 template <bool kCovered>
 HWY_INLINE void raster_block(const ViewMemory& view, ItemTile& tile, int i, int bx, int by)
 {
@@ -163,7 +164,7 @@ HWY_INLINE void mark_stale(ItemTile& tile, const Box& box)
     }
 }
 
-/// Brings block_w and least_w up to date.
+/// Updates block_w of the stale blocks, and least_w.
 HWY_INLINE void refresh_blocks(ItemTile& tile)
 {
     const Samples d;
@@ -190,14 +191,14 @@ HWY_INLINE void refresh_blocks(ItemTile& tile)
         tile.least_w = std::min(tile.least_w, tile.block_w[block]);
 }
 
-/// Whether all of the triangle is certainly behind what is stored.
+/// Whether the whole triangle is certainly behind the stored triangles.
 HWY_INLINE bool is_hidden(float nearest_w, float stored_w)
 {
     return nearest_w * (1 + kDepthSlack) < stored_w;
 }
 
-/// Triangle i over its box, whole blocks at first: a row of blocks is tested at once against the
-/// edges and against what hides it.
+/// Rasterises triangle i over its box by blocks. Tests a row of blocks at a time against the edges
+/// and against the stored depth, and skips the blocks that it misses or that hide it.
 inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
 {
     const hn::CappedTag<float, 8> d;
@@ -248,7 +249,7 @@ inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
     }
 }
 
-/// Stores the samples that set-up found inside.
+/// Stores a tiny triangle at the samples that the set-up found inside.
 HWY_INLINE void store_tiny(const ViewMemory& view, ItemTile& tile, int i)
 {
     const Batch& batch = tile.batch;

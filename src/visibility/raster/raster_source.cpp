@@ -1,4 +1,4 @@
-// raster_source.cpp - items by our own rasteriser, tile by tile.
+// raster_source.cpp - the ItemSource of the software rasteriser.
 #include "visibility/raster/raster_source.h"
 
 #include "visibility/bin/bins.h"
@@ -10,7 +10,8 @@
 namespace firsthit {
 namespace {
 
-/// Takes away what whole registers found beyond the picture: nobody shoots these rays.
+/// Clears the items of samples outside the picture, which the rasteriser fills in because it works
+/// on whole registers.
 void clear_outside(const ViewMemory& memory, int tile, ItemTile& out)
 {
     const int columns = memory.pencil.width - tile % memory.tiles_x * out.size;

@@ -1,4 +1,4 @@
-// raster_source.h - items by our own rasteriser, tile by tile.
+// raster_source.h - the ItemSource of the software rasteriser.
 #pragma once
 
 #include "visibility/item_source.h"

@@ -1,5 +1,5 @@
-// raster_tile.cpp - the item buffer of one tile: nearest first, hidden blocks skipped, a kernel for
-// each size of triangle.
+// raster_tile.cpp - rasterises the item buffer of one tile. Triangles are sorted nearest first, so
+// that hidden ones can be skipped, and are rasterised by a kernel for their size.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visibility/raster/raster_tile.cpp"
 #include "base/simd.h"
@@ -66,7 +66,7 @@ HWY_INLINE void gather(
         batch.corner[3 * k + 1][i] = p.y;
         batch.corner[3 * k + 2][i] = p.z;
     }
-    // Registers start at multiples of 4 samples, blocks at multiples of 8.
+    // Small triangles are rasterised by quads of 4 samples, large ones by blocks of 8.
     const bool large = std::max(entry.x1 - entry.x0, entry.y1 - entry.y0) >= 16;
     const int align = large ? 7 : 3;
     batch.x0[i] = entry.x0, batch.y0[i] = entry.y0, batch.x1[i] = entry.x1, batch.y1[i] = entry.y1;
@@ -75,13 +75,14 @@ HWY_INLINE void gather(
     batch.extent_y[i] = (entry.y1 | align) - batch.origin_y[i];
 }
 
-/// Nearest first, by classes of 6% of depth, so that triangles of a surface keep their order.
+/// Sorts entries nearest first, by classes of 6% of depth. The sort is stable, so that triangles of
+/// one surface stay in order.
 void sort_chunk(std::span<const TileEntry> chunk, ItemTile& tile)
 {
     std::uint16_t start[257] = {};
     for (std::size_t k = 0; k < chunk.size(); ++k) {
         const float z = chunk[k].nearest_z;
-        // Sign, exponent and four bits of the mantissa grow with z.
+        // The upper bits of a float (sign, exponent, four bits of mantissa) are ordered like z.
         const int depth = z > 0 ? int(std::bit_cast<std::uint32_t>(z) >> 19) - (127 - 8) * 16 : 0;
         tile.chunk_depth[k] = std::uint8_t(std::clamp(depth, 0, 255));
         ++start[tile.chunk_depth[k] + 1];
@@ -92,7 +93,8 @@ void sort_chunk(std::span<const TileEntry> chunk, ItemTile& tile)
         tile.chunk_order[start[tile.chunk_depth[k]]++] = std::uint16_t(k);
 }
 
-/// Whether what is stored hides the entry. Blocks may be out of date: then they hide less.
+/// Whether the stored triangles certainly hide the entry. Uses the least w of blocks, which may be
+/// out of date; then it finds less.
 HWY_INLINE bool entry_hidden(const ItemTile& tile, const TileEntry& entry, float nearest_w)
 {
     if (is_hidden(nearest_w, tile.least_w)) return true;
@@ -104,7 +106,7 @@ HWY_INLINE bool entry_hidden(const ItemTile& tile, const TileEntry& entry, float
     return is_hidden(nearest_w, std::min({row0[bx0], row0[bx1], row1[bx0], row1[bx1]}));
 }
 
-/// Asks for the memory of entries that come soon: first their indices, then their corners.
+/// Prefetches indices and corners of the entries ahead.
 HWY_INLINE void prefetch(
     const ViewMemory& view, std::span<const TileEntry> chunk, const ItemTile& tile, std::size_t n)
 {
@@ -129,7 +131,7 @@ void clear(ItemTile& tile)
     tile.counts = {};
 }
 
-/// Stores fragments [first, last) of the view where they are nearer than what is there.
+/// Merges the fragments [first, last) of the view into the tile.
 void merge(const ViewMemory& view, std::size_t first, std::size_t last, ItemTile& tile)
 {
     if (first == last) return;
@@ -144,7 +146,7 @@ void merge(const ViewMemory& view, std::size_t first, std::size_t last, ItemTile
             decide_fragment_exactly(view, tile, triangle, offset, w);
             continue;
         }
-        // Without a branch, which would often be guessed wrong.
+        // Without a branch, which would often be mispredicted.
         stored_w[offset] = std::max(w, stored);
         stored_item[offset] = win ? triangle : stored_item[offset];
     }
@@ -157,7 +159,8 @@ void raster_entries(const ViewMemory& view, std::size_t number, ItemTile& tile)
 {
     const auto entries = view.entry.span().subspan(
         view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
-    // The nearest come first: what they hide is asked of all that follow.
+    // The first batches are small: after each, the triangles that follow can be tested against what
+    // the nearest ones hide.
     int full = kFirstBatch;
     clear(tile);
     merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);

@@ -1,4 +1,4 @@
-// raster_tile.h - the item buffer of one tile.
+// raster_tile.h - rasterises the item buffer of one tile.
 #pragma once
 
 #include "visibility/raster/item_tile.h"
@@ -6,12 +6,12 @@
 
 namespace firsthit {
 
-/// Prepares a worker's tile; allocates where it is larger than before.
+/// Prepares a worker's tile. Allocates only to grow.
 void resize(ItemTile& tile, int size);
 
-/// Which triangle does each sample of the tile see? Fills out.item and out.w for tile number `tile`
-/// of the binned view. The item is the triangle that is_hit and compare_depth (exact/hit.h) name
-/// over all triangles, ties to the lowest id; nothing else enters.
+/// Finds the triangle that each sample of the tile sees: fills out.item and out.w for tile number
+/// `tile` of the binned view. The item is exact: of all triangles that is_hit (exact/hit.h)
+/// accepts, the first one by compare_depth, and of equal ones the one with the lowest id.
 ///
 /// source  Weghorst, Hooper and Greenberg 1984, "Improved Computational Methods for Ray Tracing"
 ///         (item buffer); Robert and Schoepke 2006, section 3.1

@@ -1,4 +1,4 @@
-// sample_registers-inl.h - registers whose lanes are samples of a tile.
+// sample_registers-inl.h - SIMD registers whose lanes are samples of a tile.
 #if defined(FIRSTHIT_SAMPLE_REGISTERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SAMPLE_REGISTERS_INL_H
 #undef FIRSTHIT_SAMPLE_REGISTERS_INL_H
@@ -18,9 +18,9 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A register of samples: 16 (a quad of 4x4), 8 (4x2), 4 (4x1), 2 or 1.
+/// A register of 16 (a quad of 4x4), 8 (4x2), 4 (4x1), 2 or 1 samples.
 using Samples = hn::CappedTag<float, 16>;
-/// As many as there are doubles in a register.
+/// A register of as many samples as a register holds doubles.
 using WideSamples = hn::Rebind<float, hn::CappedTag<double, 8>>;
 
 template <class D>
@@ -44,7 +44,7 @@ HWY_INLINE std::uint64_t bits(D d, hn::Mask<D> mask)
     return word;
 }
 
-/// Sample offsets within a register.
+/// The offset of each lane's sample from the register's first sample.
 template <class D>
 struct LaneOffsets {
     hn::Vec<D> x, y;

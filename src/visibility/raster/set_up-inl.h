@@ -1,16 +1,18 @@
-// set_up-inl.h - edges and depth of a batch of triangles, one triangle a lane.
+// set_up-inl.h - computes edge functions and depth of a batch of triangles, one in each lane.
 //
-// Everything is computed in double and rounded once to float. With u = 2^-24: c, gx, gy are rounded
-// (u each), then come two products and two sums, so |computed e - e| <= 5 u (|c| + X |gx| + Y
-// |gy|), X and Y the largest offsets; the steps of the tiny kernel add less than u. Edges are
-// scaled so that the bracket is 1: one constant bounds them all. The double part adds less than
-// 2^-30: the products of a x b are exact, so each term has at most four roundings of 2^-53, and |nx
-// X0| + |ny Y0| + |nz|
-// <= 2^18 times the bracket for the largest picture.
+// Everything is computed in double and rounded once to float. The errors, with u = 2^-24:
 //
-// Depth is not scaled: 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w where the bracket is at most 3 w,
-// which is asked of the triangle's least w = 1 / its farthest z; the double part is asked to stay
-// below 2.5 u w, and the tiny kernel's steps add 3 u w: less than kDepthError = 24 u in all.
+// Edges. c, gx and gy are rounded once (u each); evaluating e takes two products and two sums. So
+// |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), where X and Y are the largest offsets; the tiny
+// kernel's steps add less than u. Edges are scaled so that the bracket is 1, and one constant
+// bounds them all. The computation in double adds less than 2^-30: products of a x b are exact, so
+// each term has at most four roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| is at most 2^18 times
+// the bracket for the largest picture.
+//
+// Depth. It is not scaled: the error is 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w if the bracket is at
+// most 3 w. That is tested with the triangle's least w, 1 / its farthest z. The computation in
+// double is tested to add less than 2.5 u w, and the tiny kernel's steps add 3 u w. All together
+// is less than kDepthError = 24 u.
 #if defined(FIRSTHIT_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SET_UP_INL_H
 #undef FIRSTHIT_SET_UP_INL_H
@@ -28,7 +30,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Bound of an edge's error at a sample, and at a corner of a box (two more sums).
+/// Bounds of an edge's error at a sample, and at a corner of a box (which takes two more sums).
 constexpr float kEdgeError = 6 * 0x1p-24f;
 constexpr float kBoxError = 12 * 0x1p-24f;
 
@@ -45,7 +47,7 @@ HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b)
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// |a.y b.z| + |a.z b.y|, ...: what bounds the error of cross(a, b).
+/// |a.y b.z| + |a.z b.y|, ...: sizes that bound the rounding error of cross(a, b).
 template <class V>
 HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const Vector3<V>& b)
 {
@@ -61,10 +63,10 @@ HWY_INLINE Vector3<V> sub(const Vector3<V>& a, const Vector3<V>& b)
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
-/// A triangle's plane and edges as the origin sees them, in double.
+/// The plane of a triangle, and the planes through the origin and each edge, in double.
 template <class V>
 struct Planes {
-    Vector3<V> edge[3];   // v1 x v2, v2 x v0, v0 x v1: the edge opposite of each corner
+    Vector3<V> edge[3];   // v1 x v2, v2 x v0, v0 x v1: edge k is opposite of corner k
     Vector3<V> n, n_size; // (v1 - v0) x (v2 - v0)
     V volume, volume_size;
 };
@@ -86,8 +88,8 @@ HWY_INLINE Planes<V> planes_of(const Vector3<V>& v0, const Vector3<V>& v1, const
     return p;
 }
 
-/// Sets up one register of the batch's triangles, starting with number i. (x0, y0): direction of
-/// the tile's first sample.
+/// Sets up one register of the batch's triangles, starting at triangle i. (x0, y0) is the direction
+/// of the tile's first sample.
 template <class D>
 HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
 {
@@ -111,7 +113,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
         return hn::Add(hn::Add(hn::Mul(n.x, ox), hn::Mul(n.y, oy)), n.z);
     };
 
-    // Depth: 1/t = N . d / volume, and whether float or double is certain of it (kDepthError).
+    // Depth: 1/t = N . d / volume, and whether float or at least double keeps to kDepthError.
     const V inverse_volume = hn::Div(one, p.volume);
     const V wx = hn::Mul(p.n.x, inverse_volume), wy = hn::Mul(p.n.y, inverse_volume);
     const V wc = hn::Mul(at_origin(p.n), inverse_volume);
@@ -125,7 +127,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     const auto well_conditioned = hn::And(
         hn::Ge(hn::Abs(p.volume), hn::Mul(hn::Set(d, 0x1p-24), p.volume_size)),
         hn::Le(hn::Mul(double_size, farthest_z), hn::Mul(hn::Set(d, 0x1p27), hn::Abs(p.volume))));
-    // False for NaN: a volume of 0.
+    // False for a volume of 0, which gives NaN.
     const auto double_fits =
         hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
 
@@ -145,7 +147,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     edge(p.edge[1], gx1, gy1, c1);
     edge(p.edge[2], gx2, gy2, c2);
 
-    // Which way to go. An edge that is negative over the whole box: the tile is missed.
+    // Choose the kernel. An edge that is negative over the whole box: the triangle misses the tile.
     const auto zero = hn::Zero(f);
     const auto bx0 = whole(batch.x0), by0 = whole(batch.y0);
     const auto bx1 = whole(batch.x1), by1 = whole(batch.y1);
@@ -163,7 +165,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     const auto best = hn::Min(most(s0, gx0, gy0), hn::Min(most(s1, gx1, gy1), most(s2, gx2, gy2)));
     const auto missed = hn::Lt(best, hn::Set(f, -kBoxError));
 
-    // Tiny boxes: all four samples here and now.
+    // Tiny boxes: test their (up to) four samples now.
     const auto wxf = hn::DemoteTo(f, wx), wyf = hn::DemoteTo(f, wy), wcf = hn::DemoteTo(f, wc);
     const auto sw = start(wxf, wyf, wcf);
     const auto single = hn::Set(f, 1.0f);
@@ -190,7 +192,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     }
 
     const auto is = [&](Kernel kernel) { return hn::Set(w, std::int32_t(kernel)); };
-    const auto narrow = [&](auto mask) { // a double's mask for a float's lanes
+    const auto narrow = [&](auto mask) { // converts a mask of doubles to a mask of floats
         return hn::Ne(hn::DemoteTo(f, hn::IfThenElseZero(mask, one)), zero);
     };
     const auto large = hn::Ge(hn::Max(steps_x, steps_y), hn::Set(f, 16.0f));
