@@ -1,4 +1,4 @@
-// brute.cpp - the oracle: every ray against every triangle.
+// brute.cpp - the oracle of hits: tests every ray against every triangle.
 #include "rays/brute.h"
 
 #include <firsthit/scene.h>
@@ -11,7 +11,7 @@
 namespace firsthit {
 namespace {
 
-/// The nearest of the triangles seen so far.
+/// Replaces `best` by the candidate if that is nearer.
 void keep_nearest(const EyeTriangles& triangles, std::uint32_t candidate, const glm::vec3& d,
     std::uint32_t& best, Effort& effort)
 {
@@ -23,11 +23,12 @@ void keep_nearest(const EyeTriangles& triangles, std::uint32_t candidate, const 
     if (order < 0 || (order == 0 && candidate < best)) best = candidate;
 }
 
-/// One edge in doubles: a x b, times the triangle's facing.
+/// The plane of one edge in double: a x b, times the triangle's facing.
 struct EdgePlane {
     double x, y, z;
 
-    /// 1, -1, or 0 where the double filter cannot tell.
+    /// The sign of the edge function for the ray (dx, dy, 1); 0 where double precision is
+    /// uncertain.
     int side(double dx, double dy) const
     {
         const double px = x * dx, py = y * dy;
@@ -37,15 +38,15 @@ struct EdgePlane {
     }
 };
 
-/// A triangle that has a facing, with its three edges positive inside.
+/// A triangle whose facing is not zero. Its three edge functions are positive inside.
 struct FacedTriangle {
     std::uint32_t id;
     std::array<EdgePlane, 3> edge;
     std::array<double, 3> y, z; // of the corners
 
-    /// Whether no ray (dx, dy, 1) with dx in [first, last] can hit: all corners are certainly on
-    /// one side of the plane y = dy z of these rays, or one edge, affine in dx, is certainly
-    /// negative at both ends.
+    /// Whether certainly no ray (dx, dy, 1) with dx in [first, last] hits the triangle: all corners
+    /// are on one side of the plane y = dy z of these rays, or one edge function, which is affine
+    /// in dx, is negative at both ends.
     bool misses_row(double first, double last, double dy) const
     {
         int above = 0, below = 0;

@@ -1,4 +1,4 @@
-// brute.h - the oracle: every ray against every triangle.
+// brute.h - the oracle of hits: tests every ray against every triangle.
 #pragma once
 
 #include "base/tasks.h"
@@ -13,7 +13,7 @@
 
 namespace firsthit {
 
-/// Triangles in eye space (Pencil), as the oracles take them.
+/// Triangles in eye space (see Pencil), the input of the oracles.
 struct EyeTriangles {
     std::span<const glm::vec4> corner; // (V) w unused
     std::span<const glm::uvec3> index; // (T)
@@ -25,21 +25,22 @@ struct EyeTriangles {
     }
 };
 
-/// The nearest triangle along d, ties to the lowest id; kNoItem where none is hit. This loop is the
-/// definition that the item buffer has to equal.
+/// The nearest triangle along d; of equally near ones the one with the lowest id; kNoItem if none
+/// is hit. This loop is the definition that the item buffer has to equal.
 std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effort& effort);
 
-/// The same for all rays of a pencil: items[(y * width) + x]. A triangle is left out of a row of
-/// samples only where the whole row certainly misses it; everything else is decided sample by
-/// sample, by the same functions as above.
-/// progress  called now and then with the share that is done; may be empty
+/// The same for all rays of a pencil: fills in items[y * width + x]. Skips a triangle for a row of
+/// samples only if the whole row certainly misses it; everything else is decided sample by sample,
+/// by the same functions as above.
+/// progress  called now and then with the fraction that is done, in [0, 1]; may be empty
 void cast_brute(const EyeTriangles& triangles, const Pencil& pencil, std::span<std::uint32_t> items,
     Tasks& tasks, const std::function<void(double)>& progress = {});
 
-/// Both triangles are hit by the ray, at exactly the same depth. No for kNoItem.
+/// Whether the ray along d hits both triangles at exactly the same depth. False if either is
+/// kNoItem.
 bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d);
 
-/// Of the ray of sample (y * width) + x.
+/// The direction of the ray of sample number y * width + x.
 glm::vec3 direction_of(const Pencil& pencil, std::size_t sample);
 
 } // namespace firsthit

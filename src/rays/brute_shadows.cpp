@@ -1,4 +1,4 @@
-// brute_shadows.cpp - the oracle of shadows: every point against every triangle.
+// brute_shadows.cpp - the oracle of shadows: tests every point against every triangle.
 #include "rays/brute_shadows.h"
 
 #include <firsthit/scene.h>
@@ -17,8 +17,9 @@ using glm::vec3;
 
 constexpr std::size_t kSmallBlock = 64, kLargeBlock = 64 * kSmallBlock; // points
 
-/// A shadow ray's direction: it does not change which triangles are hit, only how well blocks of
-/// rays can be bounded. Off by at most one rounding in each coordinate.
+/// A shadow ray's direction, scaled so that its largest coordinate is 1. The scale does not change
+/// which triangles are hit, but gives blocks of rays tight bounds. Each coordinate is within one
+/// rounding.
 dvec3 direction_of(const PencilSpace& space, const vec3& d)
 {
     if (space.directional) return {d.x, d.y, 1};
@@ -26,8 +27,8 @@ dvec3 direction_of(const PencilSpace& space, const vec3& d)
     return p / std::max({size.x, size.y, size.z});
 }
 
-/// Points near each other get near keys: the face of a cube around the light that the ray meets,
-/// then the bits of both coordinates there in turn, then nothing.
+/// Sort keys that put points with similar rays next to each other: the face of a cube around the
+/// light that the ray meets, then the interleaved bits of both coordinates on that face.
 struct CoherentKeys {
     dvec3 low{std::numeric_limits<double>::infinity()}, high{-low}; // of the directional rays
 
@@ -54,12 +55,12 @@ struct CoherentKeys {
     }
 };
 
-/// A triangle that the light sees from a side.
+/// A triangle whose plane the light does not lie in.
 struct FacedTriangle {
     std::uint32_t id;
-    std::array<dvec3, 3> edge; // its product with a ray is positive inside; one rounding each
-    dvec3 normal;              // away from the light
-    dvec3 normal_size;         // the roundings of normal are relative to it
+    std::array<dvec3, 3> edge; // edge . ray is positive inside; one rounding for each coordinate
+    dvec3 normal;              // points away from the light
+    dvec3 normal_size;         // the rounding errors of normal are relative to it
     dvec3 v0;
 };
 
@@ -92,7 +93,7 @@ std::vector<FacedTriangle> face(const PencilSpace& space, const LightTriangles& 
     return faced;
 }
 
-/// Boxes around some points and their rays' directions.
+/// Bounding boxes of some points and of the directions of their rays.
 struct Block {
     dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
     dvec3 ray_low{low}, ray_high{high}, ray_size{0};
@@ -105,8 +106,8 @@ struct Block {
         ray_size = glm::max(ray_size, glm::abs(ray));
     }
 
-    /// Whether the triangle certainly shadows nothing here: the block is before its plane, or on
-    /// the outer side of an edge. Each sum of three terms carries at most nine roundings.
+    /// Whether the triangle certainly shadows no point of the block: the block is in front of its
+    /// plane, or on the outer side of an edge. Each sum of three terms has at most nine roundings.
     bool is_missed_by(const FacedTriangle& t) const
     {
         for (const dvec3& n : t.edge) {
@@ -137,14 +138,14 @@ bool is_outside(const FacedTriangle& t, const dvec3& ray)
     return false;
 }
 
-/// What all blocks read, and the points in coherent order.
+/// The input of all blocks, and the points in coherent order.
 struct Query {
     const PencilSpace& space;
     const LightTriangles& triangles;
     std::span<const vec3> points;
     std::span<const std::uint32_t> receivers;
     std::vector<FacedTriangle> faced;
-    std::vector<std::uint32_t> order; // points that have a shadow ray
+    std::vector<std::uint32_t> order; // indices of the points that have a shadow ray
 
     std::span<const std::uint32_t> slice(std::size_t first, std::size_t count) const
     {
@@ -184,8 +185,8 @@ Query prepare(const PencilSpace& space, const LightTriangles& triangles,
     return query;
 }
 
-/// All triangles that may shadow the large block, for each small block those that may shadow it,
-/// for each point of it those that do.
+/// Tests the points of a large block. Finds the triangles that may shadow the large block; of
+/// these, for each small block, those that may shadow it; and tests its points against them.
 void test_large_block(
     const Query& query, std::span<const std::uint32_t> members, std::span<std::uint8_t> shadowed)
 {

@@ -1,4 +1,4 @@
-// brute_shadows.h - the oracle of shadows: every point against every triangle.
+// brute_shadows.h - the oracle of shadows: tests every point against every triangle.
 #pragma once
 
 #include "base/tasks.h"
@@ -13,7 +13,7 @@
 
 namespace firsthit {
 
-/// Triangles in a light's space (to_light).
+/// Triangles in a light's space (see to_light).
 struct LightTriangles {
     std::span<const glm::vec3> corner; // (V)
     std::span<const glm::uvec3> index; // (T)
@@ -25,20 +25,21 @@ struct LightTriangles {
     }
 };
 
-/// Points or vertices as the light sees them, one for one.
+/// Moves points or vertices into the light's space, in the same order.
 std::vector<glm::vec3> all_to_light(const PencilSpace& space, std::span<const glm::vec3> points);
 
-/// Whether any triangle other than the receiver shadows the point d. receiver  the triangle that
-/// the point lies on, or kNoItem. This loop is the definition that exact shadows have to equal.
+/// Whether any triangle other than the receiver shadows the point d. This loop is the definition
+/// that exact shadows have to equal.
+/// receiver  the triangle that the point lies on, or kNoItem
 bool is_shadowed_brute(const PencilSpace& space, const LightTriangles& triangles,
     const glm::vec3& d, std::uint32_t receiver, Effort& effort);
 
-/// The same for many points: shadowed[k] = 1 or 0. Triangles are left out of a block of points only
-/// where the whole block is certainly not shadowed by them; everything else is decided point by
-/// point, by the same functions as above.
+/// The same for many points: writes shadowed[k] = 1 or 0. Skips a triangle for a block of points
+/// only if it certainly shadows none of them; everything else is decided point by point, by the
+/// same functions as above.
 /// points     (N) in the light's space
-/// receivers  (N), or empty: no point lies on a triangle
-/// progress   called now and then with the share that is done; may be empty
+/// receivers  (N) as `receiver` above; empty: kNoItem for all points
+/// progress   called now and then with the fraction that is done, in [0, 1]; may be empty
 void brute_shadows(const PencilSpace& space, const LightTriangles& triangles,
     std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
     std::span<std::uint8_t> shadowed, Tasks& tasks,

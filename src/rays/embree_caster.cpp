@@ -16,7 +16,7 @@
 namespace firsthit {
 
 struct EmbreeCaster::Impl : EmbreeHandles {
-    float* vertex = nullptr; // Embree's own copy, 3 floats each
+    float* vertex = nullptr; // Embree's own copy of the corners, 3 floats each
 
     void copy_corners(const EyeTriangles& triangles)
     {
@@ -66,9 +66,9 @@ void EmbreeCaster::refit(const EyeTriangles& triangles)
 namespace {
 
 constexpr int kPacketX = 4, kPacketY = 2;
-constexpr int kTile = 16; // rays on the side of a tile, for coherence
+constexpr int kTile = 16; // rays on a side of a tile; packets go tile by tile, for coherence
 
-/// Rays (x0, y0) to (x0 + 3, y0 + 1) of the pencil.
+/// Casts the rays (x0, y0) to (x0 + 3, y0 + 1) of the pencil.
 void cast_packet(RTCScene scene, RTCIntersectContext& context, const Pencil& pencil, int x0, int y0,
     std::span<std::uint32_t> items, std::span<float> t)
 {

@@ -8,19 +8,20 @@
 
 namespace firsthit {
 
-/// A bounding volume hierarchy over triangles in eye space, whose rays start at the origin.
+/// Embree's bounding volume hierarchy over triangles in eye space. All rays start at the origin.
 class EmbreeCaster {
   public:
-    /// robust   Embree's robust traversal, for comparisons
-    /// dynamic  keeps its tree, refit() brings it up to date
+    /// robust   use Embree's robust traversal, for comparisons
+    /// dynamic  allow refit()
     /// throws   DeviceError: no device, or out of memory
     EmbreeCaster(const EyeTriangles& triangles, bool robust, bool dynamic, int threads);
     ~EmbreeCaster();
 
-    /// Refits the tree to moved corners.
+    /// Refits the hierarchy to moved corners. Requires `dynamic`.
     void refit(const EyeTriangles& triangles);
 
-    /// Nearest triangle for every ray of the pencil, 4x2 rays a packet, coherent. t may be empty.
+    /// Finds the nearest triangle for every ray of the pencil, by coherent packets of 4x2 rays. t
+    /// may be empty.
     void cast(
         const Pencil& pencil, std::span<std::uint32_t> items, std::span<float> t, Tasks& tasks);
 

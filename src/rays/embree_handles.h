@@ -1,6 +1,6 @@
-// embree_handles.h - what Embree hands out, released in order.
+// embree_handles.h - owns the handles of an Embree scene and releases them in order.
 //
-// A child after fork() leaks it: Embree's threads are not there.
+// A child process after fork() leaks them, because it does not have Embree's threads.
 #pragma once
 
 #include "base/process_owned.h"
@@ -28,7 +28,7 @@ struct EmbreeHandles {
         if (device) rtcReleaseDevice(device);
     }
 
-    /// throws  DeviceError where Embree failed since the last call
+    /// throws  DeviceError if Embree has failed since the last call
     void check() const
     {
         if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)

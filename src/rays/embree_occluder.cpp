@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kPacket = 8;
 constexpr std::size_t kRange = 1024; // points of one task
 
-/// What the filter reads. The context is its first member: Embree hands its address on.
+/// The data of the filter function. Embree's context must be the first member, because the filter
+/// gets only its address.
 struct Context {
     RTCIntersectContext embree;
     std::span<const std::uint32_t> receivers;
@@ -39,9 +40,9 @@ void skip_receiver(const RTCFilterFunctionNArguments* arguments)
 } // namespace
 
 struct EmbreeOccluder::Impl : EmbreeHandles {
-    float before_all = 0; // a z below every corner's
+    float before_all = 0; // less than the z of every corner
 
-    /// Points [first, first + kPacket) and below last.
+    /// Casts the rays of points [first, min(first + kPacket, last)).
     void cast_packet(const PencilSpace& space, std::span<const glm::vec3> points, std::size_t first,
         std::size_t last, float short_of, Context& context, std::span<std::uint8_t> shadowed) const
     {
@@ -66,7 +67,7 @@ struct EmbreeOccluder::Impl : EmbreeHandles {
         }
         rtcOccluded8(valid, scene, &context.embree, &rays);
         for (std::size_t k = 0; first + k < std::min(last, first + kPacket); ++k)
-            shadowed[first + k] = valid[k] != 0 && rays.tfar[k] < 0; // -inf where it met something
+            shadowed[first + k] = valid[k] != 0 && rays.tfar[k] < 0; // tfar = -inf: occluded
     }
 };
 
