@@ -49,7 +49,7 @@ struct Builder {
         triangle(a, b, c);
         triangle(a, c, d);
     }
-    /// n x n quads over points made by `point(i, j)`, i and j in [0, n]; vertices are shared.
+    /// n x n quads of vertices `point(i, j)`, i and j in [0, n], which neighbouring quads share.
     template <class F>
     void grid(int n, const F& point)
     {
@@ -108,7 +108,7 @@ struct Builder {
     }
 };
 
-/// The finished world `factor` times as large, then moved.
+/// Scales a finished world by `factor`, then moves it.
 inline void transform(ShadowWorld& made, float factor, const glm::vec3& offset)
 {
     made.scale = factor;
@@ -131,7 +131,7 @@ void add(Scenes& scenes, std::string name, F build)
                       }});
 }
 
-/// Scenes whose answers hang on the last bits (rounding_scenes.cpp).
+/// Scenes whose shadows depend on the last bits (rounding_scenes.cpp).
 void add_rounding(Scenes& scenes);
 
 } // namespace firsthit::test

@@ -1,4 +1,4 @@
-// shadow_memory_test.cpp - maps take no memory once their sizes have settled.
+// shadow_memory_test.cpp - shadow maps allocate nothing once their sizes have settled.
 #include "allocations.h"
 #include "shadow/map/map_scenes.h"
 
@@ -16,7 +16,7 @@ TEST(ShadowMaps, AllocateNothingOnceTheirSizesHaveSettled)
     const HitPicture picture(world.world, straight_view(96, 80, 70), tasks);
     ShadowMaps maps;
     const Settings settings;
-    static Lit lit;
+    static TileVisibility visibility;
     std::size_t before = 0;
     for (int frame = 0; frame < 6; ++frame) {
         if (frame == 2) before = allocations();
@@ -24,7 +24,7 @@ TEST(ShadowMaps, AllocateNothingOnceTheirSizesHaveSettled)
         make_maps(world.world, picture, settings, tasks, maps);
         for (const auto& tile : picture.tiles)
             for (std::size_t light = 0; light < 3; ++light)
-                sample_shadow_map(maps, world.world, tile->hits, light, lit.value);
+                sample_shadow_map(maps, world.world, tile->hits, light, visibility.value);
     }
     EXPECT_EQ(allocations(), before);
     EXPECT_EQ(maps.updates, 18u);

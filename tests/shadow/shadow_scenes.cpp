@@ -1,4 +1,4 @@
-// shadow_scenes.cpp - triangles, lights and eyes that break shadows which are only nearly right.
+// shadow_scenes.cpp - adversarial scenes: their shadows are wrong if they are not computed exactly.
 #include "shadow/shadow_scenes.h"
 
 #include "shadow/shadow_builder.h"
@@ -63,7 +63,7 @@ void add_everyday(Scenes& scenes)
         }
         for (const double outer : {0.01, 0.3, 1.0, 1.5})
             b.light(spot_light({0.3, 2.9, -0.2}, {0.1, -1, 0.2}, outer));
-        b.light(spot_light({0, 3, 0}, {0, 1, 0}, 0.5)); // to the other side
+        b.light(spot_light({0, 3, 0}, {0, 1, 0}, 0.5)); // shines away from the scene
         b.eye({1, 5, 3});
     });
 }
@@ -71,7 +71,7 @@ void add_everyday(Scenes& scenes)
 void add_exact(Scenes& scenes)
 {
     add(scenes, "coplanar receivers and occluders", [](Builder& b) {
-        // Points of x / 4 + z / 8 + y = 0 with few bits: exactly in one plane.
+        // Points with few bits on x / 4 + z / 8 + y = 0 lie exactly in one plane.
         for (int k = 0; k < 120; ++k) {
             const auto p = [&] {
                 const float x = float(whole(b.random, -32, 32)) / 16,
@@ -129,7 +129,7 @@ void add_exact(Scenes& scenes)
         b.eye({0, 1, 4});
     });
     add(scenes, "vertices and edges on shadow rays", [](Builder& b) {
-        // The floor's corners, the light and what stands between have few bits: many exact zeros.
+        // All coordinates have few bits, so that many edge functions are exactly zero.
         b.floor(-1, 4, 8);
         for (int layer = 0; layer < 3; ++layer) {
             const float t = 0.25f * float(layer + 1); // from the light (0, 3, 0) to the floor

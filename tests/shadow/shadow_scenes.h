@@ -1,4 +1,4 @@
-// shadow_scenes.h - triangles, lights and eyes that break shadows which are only nearly right.
+// shadow_scenes.h - adversarial scenes: their shadows are wrong if they are not computed exactly.
 #pragma once
 
 #include "lights.h"
@@ -14,9 +14,9 @@ namespace firsthit::test {
 
 /// A world with lights, and an eye that sees it.
 struct ShadowWorld {
-    TestWorld world; // its lights are set too
+    TestWorld world; // includes its lights
     View view;       // kShadowSize pixels on a side
-    float scale = 1; // of its coordinates
+    float scale = 1; // typical size of its coordinates
 };
 
 struct ShadowScene {
@@ -28,15 +28,15 @@ inline constexpr int kShadowSize = 64;
 
 const std::vector<ShadowScene>& shadow_scenes();
 
-/// The scene's name with nothing in it that a test's name may not have.
+/// The scene's name without characters that the name of a test must not have.
 std::string shadow_test_name(const ShadowScene& scene);
 
-/// A finished world of one scene.
+/// Makes the world of a scene, ready for use.
 ShadowWorld make_shadow_world(const ShadowScene& scene, unsigned seed);
 
-/// Points in world space that are worth asking about: on triangles, their corners and edges, a hair
-/// beside them, between them and the lights, at the lights, anywhere, nowhere (NaN, 1e30). For each
-/// the triangle that it lies on, or kNoItem.
+/// Points in world space that are hard to decide: on triangles, their corners and edges, just
+/// beside them, between them and the lights, at the lights, anywhere, and not usable (NaN, 1e30).
+/// For each point the triangle that it lies on, or kNoItem.
 struct ShadowPoints {
     std::vector<glm::vec3> point;
     std::vector<std::uint32_t> receiver;

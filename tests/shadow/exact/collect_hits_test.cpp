@@ -1,4 +1,4 @@
-// collect_hits_test.cpp - the samples of a tile are those of its points, taken one by one.
+// collect_hits_test.cpp - collecting a tile's hits equals projecting its points one by one.
 #include "shadow/exact/collect_hits.h"
 
 #include "hits/hit_position.h"
@@ -17,7 +17,8 @@
 namespace firsthit::test {
 namespace {
 
-/// By id: the face, and x, y, w as bits; a w that is not finite enough has none (IrregularSample).
+/// The face, and the bits of x, y and w, by id. All w above kGreatestW count as equal, as they are
+/// not stored (IrregularSample).
 using FaceSamples = std::map<std::uint32_t, std::array<std::uint32_t, 4>>;
 
 std::array<std::uint32_t, 4> with_bits(int face, float x, float y, float w)
@@ -42,7 +43,7 @@ int face_of(const PencilMesh& mesh, const glm::vec3& d)
     return 2 * axis + (d[axis] < 0);
 }
 
-/// Points on triangles that face the light, each by itself.
+/// Projects the hits on triangles that face the light one by one.
 FaceSamples one_by_one(const PencilMesh& mesh, const HitTile& hits)
 {
     FaceSamples samples;
@@ -95,7 +96,7 @@ FaceSamples collected(const PencilMesh& mesh, const HitTile& hits)
 
 class CollectHits : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(CollectHits, WritesTheSamplesOfEachPointByItself)
+TEST_P(CollectHits, EqualsProjectingEachPointByItself)
 {
     const ShadowWorld made = make_shadow_world(shadow_scenes()[GetParam()], 1);
     const World& world = made.world.world;
@@ -119,9 +120,9 @@ TEST_P(CollectHits, WritesTheSamplesOfEachPointByItself)
 INSTANTIATE_TEST_SUITE_P(
     Adversarial, CollectHits, testing::Range(std::size_t(0), shadow_scenes().size()));
 
-TEST(CollectHits, TakesBlocksOfAnyNumberOfRuns)
+TEST(CollectHits, HandlesBlocksOfAnyNumberOfRuns)
 {
-    for (const int n : {1, 2, 8, 40, 300}) { // quads along the sides of a wall over 64 x 64 samples
+    for (const int n : {1, 2, 8, 40, 300}) { // n x n quads on a square that covers 64 x 64 samples
         TestWorld made;
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {

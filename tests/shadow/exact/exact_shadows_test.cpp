@@ -1,4 +1,4 @@
-// exact_shadows_test.cpp - shadows of pictures and of points are those of the plain loop.
+// exact_shadows_test.cpp - exact shadows of pictures and of points equal brute force.
 #include "rays/brute_shadows.h"
 #include "shadow/shadow_scenes.h"
 #include "instruction_sets.h"
@@ -15,7 +15,7 @@ class ExactShadows : public testing::TestWithParam<std::size_t> {
     const ShadowScene& scene = shadow_scenes()[GetParam()];
 };
 
-TEST_P(ExactShadows, OfAPictureEqualThePlainLoop)
+TEST_P(ExactShadows, OfAPictureEqualBruteForce)
 {
     for (unsigned seed = 0; seed < 2; ++seed) {
         const ShadowWorld made = make_shadow_world(scene, seed);
@@ -27,11 +27,11 @@ TEST_P(ExactShadows, OfAPictureEqualThePlainLoop)
     }
 }
 
-TEST_P(ExactShadows, OfPointsEqualThePlainLoop)
+TEST_P(ExactShadows, OfPointsEqualBruteForce)
 {
     const ShadowWorld made = make_shadow_world(scene, 3);
     const World& world = made.world.world;
-    const ShadowPoints asked = shadow_points(made, 2000, 4);
+    const ShadowPoints points = shadow_points(made, 2000, 4);
     Occlusion occlusion(2);
     for (Light light : world.lights) {
         if (light.kind == Light::Kind::spot) light.kind = Light::Kind::point;
@@ -39,14 +39,14 @@ TEST_P(ExactShadows, OfPointsEqualThePlainLoop)
         const std::vector<glm::vec3> corner = all_to_light(space, world.position);
         const LightTriangles triangles{corner, world.scene->index};
         std::vector<std::uint8_t> with, without;
-        occlusion.test(world, asked.point, light, with, asked.receiver);
-        occlusion.test(world, asked.point, light, without);
+        occlusion.test(world, points.point, light, with, points.receiver);
+        occlusion.test(world, points.point, light, without);
         Effort effort;
-        for (std::size_t k = 0; k < asked.point.size(); ++k) {
-            const glm::vec3 d = to_light(space, asked.point[k]);
+        for (std::size_t k = 0; k < points.point.size(); ++k) {
+            const glm::vec3 d = to_light(space, points.point[k]);
             ASSERT_EQ(without[k], is_shadowed_brute(space, triangles, d, kNoItem, effort))
                 << scene.name << ", point " << k;
-            const std::uint32_t receiver = asked.receiver[k];
+            const std::uint32_t receiver = points.receiver[k];
             glm::vec3 up = d;
             if (receiver != kNoItem) {
                 const Corners c = triangles[receiver];
@@ -61,11 +61,11 @@ TEST_P(ExactShadows, OfPointsEqualThePlainLoop)
 TEST_P(ExactShadows, AreTheSameForEveryInstructionSetAndThreadCount)
 {
     const ShadowWorld made = make_shadow_world(scene, 5);
-    const ShadowPoints asked = shadow_points(made, 3000, 6);
+    const ShadowPoints points = shadow_points(made, 3000, 6);
     const auto bits = [&](int threads) {
         std::vector<std::uint8_t> packed;
         Occlusion(threads).test_packed(
-            made.world.world, asked.point, made.world.world.lights, packed, asked.receiver);
+            made.world.world, points.point, made.world.world.lights, packed, points.receiver);
         return packed;
     };
     const std::vector<std::uint8_t> expected = bits(1);

@@ -1,4 +1,5 @@
-// near_margins_test.cpp - points so near to a margin or a light that only exact filters are right.
+// near_margins_test.cpp - points so near to a margin or a light that only exact predicates are
+// right.
 #include "rays/brute_shadows.h"
 #include "shadow/shadow_scenes.h"
 
@@ -11,8 +12,8 @@
 namespace firsthit::test {
 namespace {
 
-/// Asks for all points and expects the plain loop's answers. Returns how many are occluded.
-std::size_t expect_plain_loop(
+/// Tests all points and expects the answers of brute force. Returns how many points are occluded.
+std::size_t expect_brute_force(
     TestWorld& world, const Light& light, const std::vector<glm::vec3>& points)
 {
     world.finish();
@@ -32,7 +33,7 @@ std::size_t expect_plain_loop(
     return dark;
 }
 
-/// Points of one patch on a square at height y.
+/// Random points on a horizontal square.
 std::vector<glm::vec3> square(const glm::vec3& middle, float half, unsigned seed)
 {
     std::mt19937 random(seed);
@@ -49,29 +50,29 @@ void add_roof(TestWorld& world, const glm::vec3& middle, float half)
         middle + glm::vec3(0, 0, 2 * half));
 }
 
-TEST(NearMargins, AHairUnderARoofFarFromTheOriginIsLit)
+TEST(NearMargins, PointsJustUnderARoofFarFromTheOriginAreLit)
 {
     TestWorld world;
     add_roof(world, {1000, 1000, 1000}, 3);
     const Light light = point_light({1000, 1003, 1000});
-    // The margin is 4.8e-4: 2^-21 of the light's distance from the origin, mostly.
-    EXPECT_EQ(expect_plain_loop(world, light, square({1000, 1000 - 3e-4f, 1000}, 0.4f, 1)), 0u);
-    EXPECT_EQ(expect_plain_loop(world, light, square({1000, 1000 - 6e-4f, 1000}, 0.4f, 1)), 2000u);
+    // The margin is 4.8e-4, most of which is 2^-21 times the light's distance from the origin.
+    EXPECT_EQ(expect_brute_force(world, light, square({1000, 1000 - 3e-4f, 1000}, 0.4f, 1)), 0u);
+    EXPECT_EQ(expect_brute_force(world, light, square({1000, 1000 - 6e-4f, 1000}, 0.4f, 1)), 2000u);
 }
 
-TEST(NearMargins, AHairUnderAVeryLargeRoofIsLit)
+TEST(NearMargins, PointsJustUnderAVeryLargeRoofAreLit)
 {
     TestWorld world;
     add_roof(world, {0, 0, 0}, 1e4f);
     for (const Light& light : {point_light({0, 3, 0}), directional_light({0.1, -1, 0.2})}) {
-        EXPECT_EQ(expect_plain_loop(world, light, square({0, -3e-3f, 0}, 0.4f, 2)), 0u);
-        EXPECT_EQ(expect_plain_loop(world, light, square({0, -3e-2f, 0}, 0.4f, 2)), 2000u);
+        EXPECT_EQ(expect_brute_force(world, light, square({0, -3e-3f, 0}, 0.4f, 2)), 0u);
+        EXPECT_EQ(expect_brute_force(world, light, square({0, -3e-2f, 0}, 0.4f, 2)), 2000u);
     }
 }
 
-TEST(NearMargins, APlaneNearlyThroughALightHasSlopesBeyondTheFloats)
+TEST(NearMargins, DepthSlopesOfAPlaneNearlyThroughALightMayOverflow)
 {
-    // Depth is w = Y / h as the face +z sees the plane y = h.
+    // On the face +z the plane y = h has the depth w = Y / h.
     TestWorld world;
     const float h = 0x1p-135f;
     world.add({-1, h, -1}, {1, h, -1}, {0, h, 1});
@@ -79,17 +80,17 @@ TEST(NearMargins, APlaneNearlyThroughALightHasSlopesBeyondTheFloats)
     std::uniform_real_distribution<float> x(-0.3f, 0.3f), y(0, 2e-5f);
     std::vector<glm::vec3> points;
     for (int k = 0; k < 500; ++k) points.push_back({x(random), y(random), 1});
-    EXPECT_GT(expect_plain_loop(world, point_light({0, 0, 0}), points), 300u);
+    EXPECT_GT(expect_brute_force(world, point_light({0, 0, 0}), points), 300u);
 }
 
-TEST(NearMargins, OfTinyScenesAreRoundedToTheFloatsThatThereAre)
+TEST(NearMargins, OfTinyScenesMayBeDenormal)
 {
     const float unit = std::numeric_limits<float>::denorm_min();
     std::mt19937 random(2);
     const auto whole = [&](int low, int high) {
         return std::uniform_int_distribution<int>(low, high)(random);
     };
-    // The plane x + y = 4096 units, and its corners on it without rounding.
+    // A triangle in the plane x + y = 4096 units, whose corners lie in it exactly.
     TestWorld world;
     const auto corner = [&](int m, float z) {
         return glm::vec3(float(m) * 0x1p-137f, float(1 - m) * 0x1p-137f, z);
@@ -108,7 +109,7 @@ TEST(NearMargins, OfTinyScenesAreRoundedToTheFloatsThatThereAre)
                   x = whole(-1000, 1000);
         points.push_back({float(x) * unit, float(height - x) * unit, z});
     }
-    const std::size_t dark = expect_plain_loop(world, point_light({0, 0, 0}), points);
+    const std::size_t dark = expect_brute_force(world, point_light({0, 0, 0}), points);
     EXPECT_GT(dark, 500u);
     EXPECT_LT(dark, 1500u);
 }

@@ -1,4 +1,4 @@
-// point_shadows_test.cpp - the irregular z-buffer against the plain loop over all triangles.
+// point_shadows_test.cpp - the irregular z-buffer against a brute-force loop over all triangles.
 #include "shadow/exact/point_shadows.h"
 
 #include "instruction_sets.h"
@@ -13,7 +13,7 @@
 namespace firsthit {
 namespace {
 
-/// Every point against every triangle.
+/// Tests every point against every triangle.
 std::vector<std::uint8_t> brute(const World& world, const PencilSpace& space,
     const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& receivers)
 {
@@ -45,7 +45,7 @@ struct Case {
     std::vector<std::uint32_t> receivers;
 };
 
-/// Triangles of all sizes around the origin, and points in space and on them.
+/// Triangles of all sizes around the origin, and points in space and on the triangles.
 Case random_case(std::mt19937& random, float size, bool snapped)
 {
     std::uniform_real_distribution<float> unit(-1, 1);
@@ -61,7 +61,7 @@ Case random_case(std::mt19937& random, float size, bool snapped)
         const auto first = std::uint32_t(made.position.size());
         for (int k = 0; k < 3; ++k) made.position.push_back(middle + somewhere(reach));
         made.index.push_back({first, first + 1, first + 2});
-        if (t % 7 == 0) made.index.push_back({first + 1, first + 2, first}); // twice
+        if (t % 7 == 0) made.index.push_back({first + 1, first + 2, first}); // a duplicate
     }
     for (int k = 0; k < 3000; ++k) {
         if (k % 2) {
@@ -104,7 +104,7 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
     }
 }
 
-TEST(PointShadows, AreThoseOfThePlainLoopForRandomTriangles)
+TEST(PointShadows, OfRandomTrianglesEqualBruteForce)
 {
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
         for (const bool snapped : {false, true}) {
@@ -136,7 +136,7 @@ TEST(PointShadows, OfATriangleThatReachesBehindTheLightDoNotDependOnItsFirstCorn
     std::uniform_real_distribution<float> unit(-1, 1);
     Case made;
     for (int k = 0; k < 20000; ++k) made.points.push_back({unit(random), 0, unit(random)});
-    // Needles across everything: their boxes are larger, so they are the occluders.
+    // Needles across everything. Their boxes are larger, so that they are chosen as occluders.
     for (int k = 0; k < 100; ++k) {
         const float at = 0.01f * float(k);
         const auto first = std::uint32_t(made.position.size());
@@ -144,7 +144,7 @@ TEST(PointShadows, OfATriangleThatReachesBehindTheLightDoNotDependOnItsFirstCorn
             {{-1 + at, 0.3f, -1}, {-0.999f + at, 0.3f, -1}, {1 - at, 0.3f, 1}});
         made.index.push_back({first, first + 1, first + 2});
     }
-    // From below the light, which stands at (0, 1, 0), to above it.
+    // A triangle that reaches from below the light, which is at (0, 1, 0), to above it.
     const auto n = std::uint32_t(made.position.size());
     made.position.insert(made.position.end(), {{0, 0.5f, -0.3f}, {0, 0.5f, 0.3f}, {2, 3, 0}});
     Light light;
@@ -157,7 +157,7 @@ TEST(PointShadows, OfATriangleThatReachesBehindTheLightDoNotDependOnItsFirstCorn
     }
 }
 
-TEST(PointShadows, OfNeedlesThinnerThanRoundingsAreThoseOfThePlainLoop)
+TEST(PointShadows, OfNeedlesThinnerThanRoundingErrorsEqualBruteForce)
 {
     std::mt19937 random(2);
     std::uniform_real_distribution<float> unit(-1, 1);
@@ -165,7 +165,7 @@ TEST(PointShadows, OfNeedlesThinnerThanRoundingsAreThoseOfThePlainLoop)
     Light light;
     light.position = {0.3, 3, 0.2};
     const glm::vec3 at(light.position);
-    // Wide ones so that there are many cells, and so that these are the occluders.
+    // Wide triangles, so that there are many cells, and so that these are chosen as occluders.
     for (int k = 0; k < 200; ++k) {
         const auto first = std::uint32_t(made.position.size());
         const float x = unit(random);

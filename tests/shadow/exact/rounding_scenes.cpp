@@ -1,4 +1,4 @@
-// rounding_scenes.cpp - triangles and lights whose shadows hang on the last bits.
+// rounding_scenes.cpp - triangles and lights whose shadows depend on the last bits.
 #include "shadow/shadow_builder.h"
 
 #include <glm/geometric.hpp>
@@ -9,7 +9,7 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-/// Many bits, yet the sum of two has no more than a float holds.
+/// A point with many significant bits, but the sum of two such points is exact in float.
 vec3 fine_point(std::mt19937& random)
 {
     return vec3(whole(random, -4000000, 4000000), whole(random, -4000000, 4000000),
@@ -19,7 +19,7 @@ vec3 fine_point(std::mt19937& random)
 
 void lights_inside_triangles(Builder& b)
 {
-    // a + b + c = 0: the plane goes through the origin exactly, however doubles round the volume.
+    // a + b + c = 0: the plane goes exactly through the origin, even if doubles round the volume.
     for (int k = 0; k < 6; ++k) {
         const vec3 p = fine_point(b.random), q = fine_point(b.random);
         b.triangle(p, q, -(p + q));
@@ -33,7 +33,7 @@ void lights_inside_triangles(Builder& b)
 
 void corners_next_to_a_light(Builder& b)
 {
-    // Planes so near to the light that depth has slopes beyond the floats.
+    // Planes so near to the light that the slopes of depth overflow float.
     const auto tiny = [&] {
         return random_point(b.random, std::pow(10.0f, uniform(b.random, -44, -30)));
     };

@@ -1,4 +1,4 @@
-// tile_occlusion_test.cpp - tiles that are said to be hidden from a light are; occluders and roofs hide them.
+// tile_occlusion_test.cpp - occluder culling finds tiles under a roof, and no tile that has light.
 #include "shadow/exact/tile_occlusion.h"
 
 #include "hits/hit_position.h"
@@ -15,7 +15,7 @@
 namespace firsthit::test {
 namespace {
 
-/// Parts of `triangles` triangles each.
+/// Divides the scene into scene parts of `triangles` triangles each.
 void divide(Scene& scene, std::uint32_t triangles)
 {
     scene.parts[0].triangle_count = 0;
@@ -30,7 +30,8 @@ void divide(Scene& scene, std::uint32_t triangles)
 }
 
 struct Counts {
-    std::size_t tiles = 0, hidden = 0, hits = 0, lit = 0; // hits and lit of hidden tiles
+    std::size_t tiles = 0, hidden = 0; // of all lights
+    std::size_t hits = 0, lit = 0;     // of hidden tiles; lit by brute force
 };
 
 std::vector<HitTile> tiles_of(const HitPicture& picture)
@@ -40,7 +41,7 @@ std::vector<HitTile> tiles_of(const HitPicture& picture)
     return tiles;
 }
 
-/// Asks for the tile_occlusion of all lights, and the plain loop for each hit of a hidden tile.
+/// Finds the hidden tiles of all lights, and tests each hit of a hidden tile by brute force.
 Counts check(const World& world, const View& view, int tile_size = 8)
 {
     Tasks tasks(2);
@@ -85,7 +86,7 @@ Counts check(const World& world, const View& view, int tile_size = 8)
 
 class TileOcclusionOf : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(TileOcclusionOf, HiddenTilesAreDarkByThePlainLoop)
+TEST_P(TileOcclusionOf, HiddenTilesAreDarkByBruteForce)
 {
     const ShadowScene& scene = shadow_scenes()[GetParam()];
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -103,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Adversarial, TileOcclusionOf,
         return shadow_test_name(shadow_scenes()[scene.param]);
     });
 
-/// A floor of many triangles, and large ones at some height above it; an eye between them.
+/// A floor of many triangles under a roof of one large triangle, and an eye between them.
 ShadowWorld roofed(float height, float slope, const Light& light, float factor, glm::vec3 offset)
 {
     ShadowWorld made;
@@ -121,10 +122,10 @@ ShadowWorld roofed(float height, float slope, const Light& light, float factor, 
     return made;
 }
 
-/// The eye sees none of the roof.
+/// With this direction the eye sees the floor only.
 constexpr glm::dvec3 kDown{0, -1, -1};
 
-TEST(TileOcclusion, HidesWhatIsUnderARoof)
+TEST(TileOcclusion, HidesAllTilesUnderARoof)
 {
     for (const Light& light : {point_light({0.3, 7, 0.2}), directional_light({0.2, -1, 0.1}),
              spot_light({0, 5, 0}, {0, -1, 0}, 0.5)}) {
@@ -137,7 +138,8 @@ TEST(TileOcclusion, HidesWhatIsUnderARoof)
     }
 }
 
-/// A floor under a quad of the corners, which are shared in both ways that are possible.
+/// Counts of a floor under a quad of two triangles. `against`: the triangles run through their
+/// common edge in opposite directions, else in the same direction.
 Counts check_quad(const std::array<glm::vec3, 4>& q, bool against, unsigned seed)
 {
     ShadowWorld made;
@@ -157,7 +159,7 @@ Counts check_quad(const std::array<glm::vec3, 4>& q, bool against, unsigned seed
     return check(made.world.world, made.view);
 }
 
-TEST(TileOcclusion, HasNoGapBetweenTheTwoTrianglesOfAWall)
+TEST(TileOcclusion, HasNoGapBetweenTheTwoTrianglesOfAQuad)
 {
     for (const bool against : {false, true}) {
         const Counts counts =
@@ -168,9 +170,9 @@ TEST(TileOcclusion, HasNoGapBetweenTheTwoTrianglesOfAWall)
     }
 }
 
-TEST(TileOcclusion, IsNotOnTheFreeSideOfTwoTrianglesThatLieOnOneAnother)
+TEST(TileOcclusion, DoesNotJoinTwoTrianglesOnTheSameSideOfTheirCommonEdge)
 {
-    // Inside of all edges but the common one, and beyond that.
+    // Some points are inside all edges but the common one, and beyond that one.
     for (const bool against : {false, true}) {
         const Counts counts =
             check_quad({{{-4, 1, 0}, {0, 1, -6}, {4, 1, 0}, {0.25f, 1.25f, -5}}}, against, 1);
@@ -180,9 +182,9 @@ TEST(TileOcclusion, IsNotOnTheFreeSideOfTwoTrianglesThatLieOnOneAnother)
     }
 }
 
-TEST(TileOcclusion, IsNotWhereTwoTrianglesDoNotClose)
+TEST(TileOcclusion, SeesGapsBetweenTwoTrianglesThatAreBentFoldedOrApart)
 {
-    // Bent, folded over each other, and with a corner moved by a hair.
+    // Bent quads, quads folded over themselves, and quads with slightly moved corners.
     std::size_t hidden = 0;
     std::mt19937 random(3);
     for (unsigned seed = 0; seed < 60; ++seed) {
@@ -195,9 +197,9 @@ TEST(TileOcclusion, IsNotWhereTwoTrianglesDoNotClose)
     EXPECT_GT(hidden, 100u);
 }
 
-TEST(TileOcclusion, EndsWhereTheRoofIsAsNearAsRoundingsAre)
+TEST(TileOcclusion, StopsWhereTheRoofIsWithinTheRoundingMargins)
 {
-    // From far below the margins to far above them; there has to be something to find on both sides.
+    // Heights from far below the margins to far above them. Both cases have to occur.
     std::size_t hidden = 0, open = 0;
     for (const float factor : {1.0f, 1e-6f, 1e5f})
         for (const glm::vec3& offset : {glm::vec3(0), glm::vec3(300, -200, 1000)})
@@ -219,9 +221,9 @@ TEST(TileOcclusion, EndsWhereTheRoofIsAsNearAsRoundingsAre)
     EXPECT_GT(open, 1000u);
 }
 
-TEST(TileOcclusion, StopsAtTheEdgeOfAShadow)
+TEST(TileOcclusion, HidesNoTileOnTheEdgeOfAShadow)
 {
-    // The shadow's edge crosses the picture; tiles on it are left to the tests.
+    // The shadow's edge crosses the picture.
     std::size_t hidden = 0, open = 0;
     std::mt19937 random(5);
     for (int k = 0; k < 40; ++k) {
@@ -245,9 +247,9 @@ TEST(TileOcclusion, StopsAtTheEdgeOfAShadow)
     EXPECT_GT(open, 100u);
 }
 
-TEST(TileOcclusion, DoesNotCountOnATriangleThatTheHitsLieOn)
+TEST(TileOcclusion, IgnoresATriangleThatTheHitsLieOn)
 {
-    // The eye sees the roof from below and the floor: the light is on the roof's other side.
+    // The eye sees the floor, and the roof from below. The light is above the roof.
     ShadowWorld made = roofed(1, 0, point_light({0.3, 7, 0.2}), 1, glm::vec3(0));
     made.view.camera.direction = {0, 0.3, -1};
     const Counts counts = check(made.world.world, made.view);
@@ -255,7 +257,7 @@ TEST(TileOcclusion, DoesNotCountOnATriangleThatTheHitsLieOn)
     EXPECT_EQ(counts.lit, 0u);
 }
 
-TEST(TileOcclusion, TriesTrianglesOfPartsThatHaveFew)
+TEST(TileOcclusion, TriesTrianglesOfScenePartsWithFewTriangles)
 {
     const auto occluders = [](std::uint32_t parts, std::uint32_t triangles, std::uint32_t more) {
         Scene scene;
@@ -293,16 +295,17 @@ TEST(TileOcclusion, IsTheSameForEveryInstructionSet)
         [&] { EXPECT_EQ(check(made.world.world, made.view).hidden, expected.hidden); });
 }
 
-/// A frame of the roofed floor, with the roof as a part of its own or not.
+/// A frame of the roofed floor. `culling`: the roof is a scene part of its own, so that it is an
+/// occluder.
 struct RoofedFrame {
     Film film;
     Stats stats;
 
-    RoofedFrame(bool wall, Shadows shadows, const Light& light, double bias = -1)
+    RoofedFrame(bool culling, Shadows shadows, const Light& light, double bias = -1)
     {
         ShadowWorld made = roofed(1, 0, light, 1, glm::vec3(0));
         made.view.camera.direction = kDown;
-        if (!wall) made.world.finish();
+        if (!culling) made.world.finish();
         Settings settings;
         settings.shadows = shadows;
         settings.tile_size = 16;
@@ -313,7 +316,7 @@ struct RoofedFrame {
     }
 };
 
-TEST(TileOcclusion, GivesThePictureThatTestsAndMapsGive)
+TEST(TileOcclusion, SavesAllTestsAndMapsAndDoesNotChangeThePicture)
 {
     for (const Shadows shadows : {Shadows::exact, Shadows::map}) {
         const RoofedFrame with(true, shadows, point_light({0.3, 7, 0.2})),
@@ -325,7 +328,7 @@ TEST(TileOcclusion, GivesThePictureThatTestsAndMapsGive)
     }
 }
 
-TEST(TileOcclusion, IsNotAskedWhereABiasLetsLightThroughTheWall)
+TEST(TileOcclusion, IsOffWhereAMapBiasLetsLightThroughTheOccluder)
 {
     const Light light = point_light({0.3, 7, 0.2});
     const RoofedFrame with(true, Shadows::map, light, 2);
@@ -333,9 +336,9 @@ TEST(TileOcclusion, IsNotAskedWhereABiasLetsLightThroughTheWall)
     EXPECT_NE(with.film.color.value, RoofedFrame(true, Shadows::map, light).film.color.value);
 }
 
-TEST(TileOcclusion, LeavesALightThatReachesSomethingItsWholeMap)
+TEST(TileOcclusion, KeepsTheWholeMapOfALightThatReachesSomeTiles)
 {
-    // Half of what is seen is in the roof's shadow: its texels are those without the roof's part.
+    // Half of the hits are in the roof's shadow. The map is the same as without culling.
     const Light low = point_light({-3, 0.7, 0.2});
     EXPECT_EQ(RoofedFrame(true, Shadows::map, low).film.color.value,
         RoofedFrame(false, Shadows::map, low).film.color.value);

@@ -1,11 +1,12 @@
-// hit_bounds_test.cpp - the rectangles of hits, against every hit in double.
+// hit_bounds_test.cpp - bounds of hits, against the bounds of every hit in double precision.
 #include "instruction_sets.h"
 #include "shadow/map/map_scenes.h"
 
 namespace firsthit::test {
 namespace {
 
-/// Face by face, in double. Hits within a millionth of a face's border belong to either.
+/// The bounds of each face in double precision. Hits within a millionth of a face's border may be
+/// on either face.
 LightBounds plain_bounds(const HitPicture& picture, const LightFrame& frame)
 {
     LightBounds bounds;
@@ -43,8 +44,8 @@ void expect_bounds(const TestWorld& world, const Light& light)
             const FaceBounds &a = ours[std::size_t(face)], &b = plain[std::size_t(face)];
             EXPECT_NEAR(double(a.hits), double(b.hits), 1 + 1e-3 * double(b.hits));
             if (a.hits == 0 || b.hits == 0) continue;
-            // Nothing is outside, and rectangles are at most a block wider: a 20th of the
-            // picture here, and more than that of the floor at its far end.
+            // No hit is outside, and rectangles are at most one block larger. A block is a 20th of
+            // the picture here, and more than that of the far end of the floor.
             const float size = std::max(b.x1 - b.x0, b.y1 - b.y0), slack = 1e-5f * size;
             EXPECT_LE(a.x0, b.x0 + slack);
             EXPECT_LE(a.y0, b.y0 + slack);

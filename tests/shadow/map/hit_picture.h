@@ -14,7 +14,7 @@
 
 namespace firsthit::test {
 
-/// All tiles at once: for small pictures and for measurements.
+/// Keeps the hits of all tiles at once. For small pictures and for measurements.
 struct HitPicture {
     struct Tile {
         ItemTile items{};

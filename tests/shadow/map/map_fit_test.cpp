@@ -1,4 +1,4 @@
-// map_fit_test.cpp - rectangles and sizes of maps, and the one face that sees what several see.
+// map_fit_test.cpp - rectangles and sizes of maps; merging several faces into one.
 #include "shadow/map/map_fit.h"
 #include "shadow/map/merge_faces.h"
 
@@ -9,7 +9,7 @@
 namespace firsthit {
 namespace {
 
-TEST(MapFit, HoldsTheHitsAndNotMuchMore)
+TEST(MapFit, CoversTheHitsAndNotMuchMore)
 {
     for (const FaceBounds& bounds :
         {FaceBounds{-1, -1, 1, 1, 100000}, FaceBounds{0.25f, -0.5f, 0.75f, 0.0f, 1000000},
@@ -63,9 +63,9 @@ TEST(MapFit, OfNoHitsIsNone)
     EXPECT_EQ(map_fit({}, 512, 1).width, 0);
 }
 
-TEST(MergeFaces, MovesNeighboursToOneFace)
+TEST(MergeFaces, MergesNeighbouringFaces)
 {
-    // Around +z (face 4), and a little on +x (face 0, whose x is y / x and whose y is z / x).
+    // Hits around +z (face 4), and a few on +x (face 0, whose x is y / x and whose y is z / x).
     LightBounds bounds;
     bounds[4] = {-0.5f, -0.25f, 1.0f, 0.25f, 10};
     bounds[0] = {-0.125f, 0.8f, 0.125f, 1.0f, 5};
@@ -78,7 +78,7 @@ TEST(MergeFaces, MovesNeighboursToOneFace)
     EXPECT_FLOAT_EQ(bounds[4].y1, 0.25f);
 }
 
-TEST(MergeFaces, LeavesFacesThatNoOneSees)
+TEST(MergeFaces, KeepsFacesThatNoSingleFaceSees)
 {
     LightBounds opposite;
     opposite[4] = {-0.5f, -0.5f, 0.5f, 0.5f, 10};
@@ -87,7 +87,9 @@ TEST(MergeFaces, LeavesFacesThatNoOneSees)
     EXPECT_EQ(opposite[4].hits, 10u);
     EXPECT_EQ(opposite[5].hits, 10u);
 
-    LightBounds wide; // z / x down to 0.4: beyond 63 degrees of +z; y / x to 1: and of +x
+    // On face 0 z / x goes down to 0.4, beyond 63 degrees of +z; on face 4 x / z goes down to -1,
+    // behind +x.
+    LightBounds wide;
     wide[4] = {-1.0f, -0.25f, 1.0f, 0.25f, 10};
     wide[0] = {-0.125f, 0.4f, 0.125f, 1.0f, 5};
     merge_faces(wide);

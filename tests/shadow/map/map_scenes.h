@@ -1,4 +1,4 @@
-// map_scenes.h - small lit worlds, their shadow maps, and what a map should say, the plain way.
+// map_scenes.h - small worlds with lights, their shadow maps, and a simple reference of sampling.
 #pragma once
 
 #include "hits/hit_position.h"
@@ -33,8 +33,8 @@ inline void add_box(TestWorld& world, glm::vec3 low, glm::vec3 high)
     }
 }
 
-/// A box of side 1 whose lower side hovers 0.5 above a floor of side 8. Axes as seen: y is down, z
-/// is ahead, the eye at 0.
+/// A box of side 1 whose lower side is 0.5 above a floor of side 8. As seen by straight_view: y
+/// points down, z ahead, and the eye is at 0.
 inline TestWorld box_over_floor()
 {
     TestWorld world;
@@ -44,8 +44,8 @@ inline TestWorld box_over_floor()
     return world;
 }
 
-/// What a map gives for each tile of a picture.
-struct Lit {
+/// Light visibility of one tile.
+struct TileVisibility {
     alignas(64) float value[kMaxTile * kMaxTile];
 };
 
@@ -59,17 +59,17 @@ inline void make_maps(const World& world, const HitPicture& picture, const Setti
     update_maps(world, settings, maps, tasks);
 }
 
-inline std::vector<Lit> sample_all_maps(
+inline std::vector<TileVisibility> sample_all_maps(
     const ShadowMaps& maps, const World& world, const HitPicture& picture, std::size_t light = 0)
 {
-    std::vector<Lit> lit(picture.tiles.size());
-    for (std::size_t k = 0; k < lit.size(); ++k)
-        sample_shadow_map(maps, world, picture.tiles[k]->hits, light, lit[k].value);
-    return lit;
+    std::vector<TileVisibility> visibility(picture.tiles.size());
+    for (std::size_t k = 0; k < visibility.size(); ++k)
+        sample_shadow_map(maps, world, picture.tiles[k]->hits, light, visibility[k].value);
+    return visibility;
 }
 
-/// The least depth at which the ray to (x, y, 1) of a face's space, or the ray along z through
-/// (x, y), meets a triangle; infinity where none.
+/// The depth of the first triangle that the ray from a face's origin through (x, y, 1) hits; if the
+/// light is parallel, that the ray along z through (x, y) hits. Infinity if there is none.
 inline double plain_depth(
     const World& world, const ShadowLight& light, int face, double x, double y)
 {
@@ -93,9 +93,9 @@ inline double plain_depth(
     return least;
 }
 
-/// A hit as a map sees it, in double.
+/// A hit in the space of its map, in double precision.
 struct PlainHit {
-    int face = -1;              // -1: no map shows it
+    int face = -1;              // -1: no map covers it
     double column = 0, row = 0; // texels
     double depth = 0;           // in the face's space
     double epsilon = 0;

@@ -1,4 +1,4 @@
-// raster_depth_test.cpp - depths of a shadow map's tile: what is hit is covered, by nobody else.
+// raster_depth_test.cpp - depths of a shadow map's tile agree with the triangles that rays hit.
 #include "shadow/map/raster_depth.h"
 
 #include "cpu/adversarial_scenes.h"
@@ -64,7 +64,7 @@ TEST(RasterDepth, CoversEverySampleThatATinyTriangleHits)
         Effort effort;
         for (int y = 0; y < kSize; ++y) {
             for (int x = 0; x < kSize; ++x) {
-                double least = 0; // 1/t, whatever the place of the hit within its triangle
+                double least = 0; // 1/t of the farthest corner of each triangle that is hit
                 for (std::size_t t = 0; t < world.scene->index.size(); ++t) {
                     const Corners& c = eye.triangles[std::uint32_t(t)];
                     const double farthest = std::max({c[0].z, c[1].z, c[2].z});
@@ -103,7 +103,7 @@ TEST(RasterDepth, IsNoNearerThanTheNearestTriangleInReach)
     });
 }
 
-TEST(RasterDepth, OfTinyTrianglesIsThatOfTheGeneralKernelBesideEdges)
+TEST(RasterDepth, OfTinyTrianglesEqualsThatOfTheGeneralKernelAwayFromEdges)
 {
     for_tiny_worlds([](const World& world) {
         const std::vector<float> fast = depths_of(world, TinyTriangles::depths);
@@ -130,7 +130,7 @@ TestWorld around_the_eye()
     return world;
 }
 
-TEST(RasterDepth, OfTrianglesThatReachBehindTheLightIsThatOfTheirHits)
+TEST(RasterDepth, OfTrianglesThatReachBehindTheLightEqualsThatOfTheirHits)
 {
     const TestWorld world = around_the_eye();
     const std::vector<float> w = depths_of(world.world, TinyTriangles::depths);

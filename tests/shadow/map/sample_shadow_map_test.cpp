@@ -1,4 +1,4 @@
-// sample_shadow_map_test.cpp - what maps say of hits, against rays in double through the texels' centres.
+// sample_shadow_map_test.cpp - shadow map sampling, against rays in double through texel centres.
 #include "instruction_sets.h"
 #include "shadow/map/map_scenes.h"
 
@@ -25,8 +25,8 @@ TestWorld room()
     return world;
 }
 
-/// A floor under a roof that slopes down to it on the left and ends on the right, with a hut between
-/// them: whole tiles are dark, some nearly.
+/// A floor under a roof that slopes down to the floor on the left and ends on the right, with a hut
+/// between them. Some tiles are wholly dark, others nearly.
 TestWorld roofed()
 {
     TestWorld world;
@@ -37,8 +37,8 @@ TestWorld roofed()
     return world;
 }
 
-/// A table before a wall, lit from above, and the dark floor under it: a tile sees both, and its part
-/// of the map nothing but the table.
+/// A table in front of a wall, lit from above, over a dark floor. Some tiles see both table and
+/// floor, while their texels of the map show only the table.
 TestWorld table()
 {
     TestWorld world;
@@ -74,15 +74,15 @@ struct Agreement {
     int lit = 0, dark = 0, between = 0, wrong = 0;
 };
 
-/// Compares every hit whose answer does not hang on float's last bits.
+/// Compares every hit whose visibility does not depend on the last bits of float.
 Agreement agreement(const ShadowMaps& maps, const World& world, const HitPicture& picture)
 {
-    const std::vector<Lit> lit = sample_all_maps(maps, world, picture);
+    const std::vector<TileVisibility> visibility = sample_all_maps(maps, world, picture);
     const Light& light = world.lights[0];
     Agreement count;
     picture.for_hits([&](std::size_t tile, const HitTile& hits, int x, int y, int offset) {
         const PlainHit plain = plain_hit(maps, world, hits, x, y, offset);
-        const float ours = lit[tile].value[offset];
+        const float ours = visibility[tile].value[offset];
         double expected = 0;
         bool sure = true;
         if (light.kind == Light::Kind::spot) {
@@ -134,7 +134,7 @@ Agreement agreement(const ShadowMaps& maps, const World& world, const HitPicture
     return count;
 }
 
-TEST(MapSampler, SaysWhatRaysThroughTheTexelsSay)
+TEST(SampleShadowMap, AgreesWithRaysThroughTexelCentres)
 {
     for (const Case& c : cases()) {
         for (const int filter : {1, 2, 3}) {
@@ -157,7 +157,7 @@ TEST(MapSampler, SaysWhatRaysThroughTheTexelsSay)
     }
 }
 
-TEST(MapSampler, DoesNotTakeATileForDarkThatIsDarkInPart)
+TEST(SampleShadowMap, DoesNotDarkenATileThatIsPartlyLit)
 {
     TestWorld world = table();
     world.world.lights = {directional_light({0, 2, 0})};
@@ -173,7 +173,7 @@ TEST(MapSampler, DoesNotTakeATileForDarkThatIsDarkInPart)
     EXPECT_GT(count.dark, 500);
 }
 
-TEST(MapSampler, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)
+TEST(SampleShadowMap, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)
 {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
@@ -187,10 +187,11 @@ TEST(MapSampler, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)
             const HitPicture picture(world.world, small_view(), tasks, 32);
             ShadowMaps maps;
             make_maps(world.world, picture, settings, tasks, maps);
-            const std::vector<Lit> lit = sample_all_maps(maps, world.world, picture);
+            const std::vector<TileVisibility> visibility =
+                sample_all_maps(maps, world.world, picture);
             std::vector<float> all;
             picture.for_hits([&](std::size_t tile, const HitTile&, int, int, int offset) {
-                all.push_back(lit[tile].value[offset]);
+                all.push_back(visibility[tile].value[offset]);
             });
             if (first.empty()) first = all;
             ASSERT_EQ(all.size(), first.size());
@@ -202,9 +203,10 @@ TEST(MapSampler, GivesTheSameBitsOnEveryInstructionSetAndForAnyNumberOfThreads)
     }
 }
 
-TEST(MapSampler, NeverFindsAPlaneInItsOwnShadow)
+TEST(SampleShadowMap, GivesAPlaneNoShadowAcne)
 {
-    // A floor from flat to nearly edge-on, small maps: any acne would show.
+    // The light sees the floor from the front to nearly edge-on, and maps are small, so that any
+    // acne would show.
     for (const int filter : {1, 4}) {
         for (const double height : {10.0, 2.0, 0.5, 0.1, 0.02}) {
             for (const Light& light :
@@ -220,11 +222,12 @@ TEST(MapSampler, NeverFindsAPlaneInItsOwnShadow)
                 settings.shadow_filter = filter;
                 ShadowMaps maps;
                 make_maps(world.world, picture, settings, tasks, maps);
-                const std::vector<Lit> lit = sample_all_maps(maps, world.world, picture);
+                const std::vector<TileVisibility> visibility =
+                    sample_all_maps(maps, world.world, picture);
                 int hits = 0, dark = 0;
                 picture.for_hits([&](std::size_t tile, const HitTile&, int, int, int offset) {
                     ++hits;
-                    dark += lit[tile].value[offset] != 1;
+                    dark += visibility[tile].value[offset] != 1;
                 });
                 EXPECT_GT(hits, 1000);
                 EXPECT_EQ(dark, 0) << height << " of " << hits;
@@ -233,7 +236,7 @@ TEST(MapSampler, NeverFindsAPlaneInItsOwnShadow)
     }
 }
 
-/// The share of the floor's hits that are in shadow.
+/// The fraction of the floor's hits that are in shadow.
 double dark_floor(const Settings& settings)
 {
     TestWorld world = box_over_floor();
@@ -242,37 +245,37 @@ double dark_floor(const Settings& settings)
     const HitPicture picture(world.world, small_view(), tasks);
     ShadowMaps maps;
     make_maps(world.world, picture, settings, tasks, maps);
-    const std::vector<Lit> lit = sample_all_maps(maps, world.world, picture);
+    const std::vector<TileVisibility> visibility = sample_all_maps(maps, world.world, picture);
     int hits = 0, dark = 0;
     picture.for_hits([&](std::size_t tile, const HitTile& tile_hits, int, int, int offset) {
         if (tile_hits.item[offset] > 1) return;
         ++hits;
-        dark += lit[tile].value[offset] == 0;
+        dark += visibility[tile].value[offset] == 0;
     });
     return double(dark) / hits;
 }
 
-TEST(MapSampler, HonoursTheBias)
+TEST(SampleShadowMap, HonoursTheBias)
 {
     Settings settings;
     const double shadow = dark_floor(settings);
     EXPECT_GT(shadow, 0.01);
     EXPECT_LT(shadow, 0.2);
-    settings.shadow_bias = 0.1; // more than a texel's slope, less than the box is above the floor
+    settings.shadow_bias = 0.1; // more than depth changes in a texel, less than box to floor
     EXPECT_NEAR(dark_floor(settings), shadow, 0.2 * shadow);
-    settings.shadow_bias = 1; // between the box's lower and its upper side
+    settings.shadow_bias = 1; // reaches between the lower and the upper side of the box
     EXPECT_NEAR(dark_floor(settings), shadow, 0.2 * shadow);
-    settings.shadow_bias = 2; // more than the upper side's distance along the light
+    settings.shadow_bias = 2; // reaches beyond the upper side of the box
     EXPECT_EQ(dark_floor(settings), 0);
     settings.shadow_bias = 0;
     settings.shadow_map_size = 50;
     EXPECT_GT(dark_floor(settings), 2 * shadow); // acne
 }
 
-TEST(MapSampler, ShadowsReachTheirCasters)
+TEST(SampleShadowMap, LetsShadowsBeginAtTheirCasters)
 {
-    // A wall on a floor, lit from behind: the floor in front of its foot is dark up to the foot, to
-    // a texel or two.
+    // A wall on a floor, lit from behind. The floor in front of the wall is dark up to the wall,
+    // except for a texel or two.
     TestWorld world;
     add_quad(world, {-4, 2, 2}, {8, 0, 0}, {0, 0, 8});
     add_quad(world, {-4, 1, 6}, {8, 0, 0}, {0, 1, 0});
@@ -282,37 +285,37 @@ TEST(MapSampler, ShadowsReachTheirCasters)
     const HitPicture picture(world.world, small_view(), tasks);
     ShadowMaps maps;
     make_maps(world.world, picture, {}, tasks, maps);
-    const std::vector<Lit> lit = sample_all_maps(maps, world.world, picture);
+    const std::vector<TileVisibility> visibility = sample_all_maps(maps, world.world, picture);
     const double texel = maps.light[0].map[kOnlyFace].source.fit.texel;
     int dark = 0;
     picture.for_hits([&](std::size_t tile, const HitTile& hits, int x, int y, int offset) {
         const glm::vec3 p = hit_position(hits.frame, float(x), float(y), hits.t[offset]);
         if (hits.item[offset] > 1) return;
-        const double before = 6 - double(p.z); // the shadow ends at 1
+        const double before = 6 - double(p.z); // distance from the wall; the shadow ends at 1
         if (before < 4 * texel || std::abs(before - 1) < 4 * texel) return;
-        EXPECT_EQ(lit[tile].value[offset], before > 1 ? 1 : 0) << p.x << " " << p.z;
+        EXPECT_EQ(visibility[tile].value[offset], before > 1 ? 1 : 0) << p.x << " " << p.z;
         dark += before < 1;
     });
     EXPECT_GT(dark, 200);
 }
 
-/// No light reaches what is seen.
+/// Expects that the light reaches no hit.
 void expect_dark(const World& world)
 {
     Tasks tasks(1);
     const HitPicture picture(world, small_view(), tasks);
     ShadowMaps maps;
     make_maps(world, picture, {}, tasks, maps);
-    const std::vector<Lit> lit = sample_all_maps(maps, world, picture);
+    const std::vector<TileVisibility> visibility = sample_all_maps(maps, world, picture);
     int hits = 0;
     picture.for_hits([&](std::size_t tile, const HitTile&, int, int, int offset) {
-        EXPECT_EQ(lit[tile].value[offset], 0);
+        EXPECT_EQ(visibility[tile].value[offset], 0);
         ++hits;
     });
     EXPECT_GT(hits, 1000);
 }
 
-TEST(MapSampler, IsDarkWhereTheLightIsBehindThePlane)
+TEST(SampleShadowMap, IsDarkWhereTheLightIsBehindThePlane)
 {
     TestWorld world;
     add_quad(world, {-4, 2, 2}, {8, 0, 0}, {0, 0, 8});
@@ -321,9 +324,9 @@ TEST(MapSampler, IsDarkWhereTheLightIsBehindThePlane)
     expect_dark(world.world);
 }
 
-TEST(MapSampler, IsDarkWhereTheLightLiesInThePlane)
+TEST(SampleShadowMap, IsDarkWhereTheLightLiesInThePlane)
 {
-    // But for rounding, which must not make the whole plane lit.
+    // Rounding may put the light slightly above the plane, which must not light the whole plane.
     TestWorld world;
     const glm::vec3 corner(-4, 1.5f, 2), along(8, 0.7f, 0.1f), across(0.3f, 0.4f, 8);
     add_quad(world, corner, along, across);

@@ -1,12 +1,12 @@
-// shadow_map_test.cpp - which maps are made, and when.
-#include "shadow/map/map_scenes.h"
+// shadow_map_test.cpp - which maps are made, and in which frames.
+#include "map_scenes.h"
 
 #include <gtest/gtest.h>
 
 namespace firsthit::test {
 namespace {
 
-/// A world, a camera and the maps that stay from frame to frame.
+/// A world, a camera, and maps that are kept from frame to frame.
 struct Frames {
     TestWorld world = box_over_floor();
     View view = straight_view(96, 80, 70);
@@ -14,7 +14,7 @@ struct Frames {
     Tasks tasks{1};
     ShadowMaps maps;
 
-    /// Makes a frame; returns how many maps were made for it.
+    /// Renders a frame. Returns how many maps were made for it.
     std::uint64_t updates()
     {
         const std::uint64_t before = maps.updates;
@@ -51,7 +51,7 @@ TEST(ShadowMaps, StayWhereTheCameraMovesLittle)
         frames.view.camera.eye.x += 0.002;
         updates += frames.updates();
     }
-    EXPECT_LE(updates, 1u); // the fit may be just at a step
+    EXPECT_LE(updates, 1u); // the rounding of the fit may take one step
     frames.view.camera.eye = {0, -20, 6};
     frames.view.camera.direction = {0, 1, 0.001};
     EXPECT_EQ(frames.updates(), 1u);
@@ -95,7 +95,7 @@ TEST(ShadowMaps, AreMadeAgainForTrianglesThatChangeInAMovement)
         std::swap(triangle.x, triangle.y);
         EXPECT_EQ(frames.updates(), 1u);
     }
-    std::swap(triangle.x, triangle.y); // as in the frame before the last
+    std::swap(triangle.x, triangle.y); // back to the triangle of the frame before the last
     EXPECT_EQ(frames.updates(), 1u);
     EXPECT_EQ(frames.updates(), 0u);
 }
@@ -105,7 +105,8 @@ TEST(ShadowMaps, AreMadeAgainForGeometryThatMovedWhileALightDid)
     Frames frames;
     frames.world.world.lights = {point_light({1, -3, 5})};
     EXPECT_EQ(frames.updates(), 1u);
-    // Only the frame between has the vertex elsewhere, and nobody asks in it.
+    // The vertex moves only in the second frame, in which all maps are made in any case, so that
+    // the geometry is not compared.
     float& x = frames.world.world.position.back().x;
     const float before = x;
     x += 1e-6f;
@@ -116,7 +117,7 @@ TEST(ShadowMaps, AreMadeAgainForGeometryThatMovedWhileALightDid)
     EXPECT_EQ(frames.updates(), 0u);
 }
 
-TEST(ShadowMaps, AreMadeAgainWhereAnotherPartOfTheGeometryMoves)
+TEST(ShadowMaps, AreMadeAgainWhereOtherVerticesMove)
 {
     Frames frames;
     for (int k = 0; k < 12000; ++k) frames.world.add({0, 0, 3}, {0.1f, 0, 3}, {0, 0.1f, 3});
@@ -132,7 +133,7 @@ TEST(ShadowMaps, AreMadeAgainWhereAnotherPartOfTheGeometryMoves)
         position.back().x += 1e-6f;
         EXPECT_EQ(frames.updates(), 1u);
     }
-    EXPECT_LE(frames.updates(), 1u); // not all was looked at while it moved
+    EXPECT_LE(frames.updates(), 1u); // not all vertices were compared while some moved
     EXPECT_EQ(frames.updates(), 0u);
 }
 
@@ -153,7 +154,7 @@ TEST(ShadowMaps, DoNotDependOnEarlierFrames)
     }
 }
 
-TEST(ShadowMaps, AreOneForALightOutsideAndMoreForOneAmidst)
+TEST(ShadowMaps, HaveOneFaceForALightOutsideTheSceneAndMoreForOneInside)
 {
     Frames frames;
     frames.world.world.lights = {point_light({1, -3, 5})};
@@ -166,7 +167,7 @@ TEST(ShadowMaps, AreOneForALightOutsideAndMoreForOneAmidst)
     frames.updates();
     EXPECT_EQ(frames.faces(), 1);
 
-    // A room with the light amidst, seen from a corner: the eye sees all sides but its own.
+    // A room with the light inside. The eye is at one side of the room and sees the other five.
     TestWorld room;
     add_box(room, {-3, -2, -1}, {3, 2, 9});
     room.finish();
@@ -205,7 +206,7 @@ TEST(ShadowMaps, AreNoneWithoutHitsOrLights)
     EXPECT_EQ(frames.updates(), 0u); // no triangles
 }
 
-TEST(ShadowMaps, WiderThanTheRasteriserTakesAtOnceAreMadeInParts)
+TEST(ShadowMaps, WiderThanTheRasteriserCanTakeAreMadeInRectangles)
 {
     Frames frames;
     frames.world.world.lights = {point_light({1, -3, 5})};
@@ -214,7 +215,7 @@ TEST(ShadowMaps, WiderThanTheRasteriserTakesAtOnceAreMadeInParts)
     for (std::size_t face = 0; face < kFaces; ++face) {
         const ShadowMap& map = frames.maps.light[0].map[face];
         const MapFit& fit = map.source.fit;
-        // Both sides of the cut show the floor or the box, 3.5 to 5 away.
+        // Columns on both sides of the cut show the floor or the box, at a depth of 3.5 to 5.
         for (const int x : {0, kMaxPencil / 2, kMaxPencil - 1, kMaxPencil, kMaxPencil + 50}) {
             if (x >= fit.width) continue;
             const int y = fit.height / 2;
@@ -229,8 +230,7 @@ TEST(ShadowMaps, WiderThanTheRasteriserTakesAtOnceAreMadeInParts)
 
 TEST(ShadowMaps, OfFarAndDegenerateWorldsAreFinite)
 {
-    // Nothing to see but flat, tiny, huge or collapsed triangles: no crash, and every hit is lit or
-    // dark.
+    // Flat, tiny, huge or collapsed triangles: nothing crashes, and every visibility is 0 or 1.
     for (const float scale : {1e-20f, 1e-3f, 1e6f, 1e20f}) {
         for (const Light& light : {point_light(glm::dvec3(1, -3, 5) * double(scale)),
                  directional_light({0, 1, 0}), directional_light({1e-3, 1e-30, 0}),
@@ -241,9 +241,11 @@ TEST(ShadowMaps, OfFarAndDegenerateWorldsAreFinite)
             frames.world.world.lights = {light};
             frames.updates();
             const HitPicture picture(frames.world.world, frames.view, frames.tasks);
-            const std::vector<Lit> lit = sample_all_maps(frames.maps, frames.world.world, picture);
+            const std::vector<TileVisibility> visibility =
+                sample_all_maps(frames.maps, frames.world.world, picture);
             picture.for_hits([&](std::size_t tile, const HitTile&, int, int, int offset) {
-                EXPECT_TRUE(lit[tile].value[offset] == 0 || lit[tile].value[offset] == 1);
+                EXPECT_TRUE(
+                    visibility[tile].value[offset] == 0 || visibility[tile].value[offset] == 1);
             });
         }
     }
