@@ -82,7 +82,7 @@ void set_up_flat(DepthTile& tile, int i, float x0, float y0)
         const V at = with_error(tile, i, gx[k], gy[k], inwards(c[k]));
         store(inwards(gx[k]), tile.gx[k]);
         store(inwards(gy[k]), tile.gy[k]);
-        // Seen edge-on it covers nothing.
+        // A triangle seen edge-on covers no sample.
         store(hn::IfThenElse(edge_on, hn::Set(d, kOutside), at), tile.c[k]);
     }
     const V inverse_area = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(edge_on, hn::Set(d, 1.0), area));
@@ -129,7 +129,7 @@ void set_up_careful(DepthTile& tile, int i, float x0, float y0)
         store(gx, tile.gx[k]);
         store(gy, tile.gy[k]);
         const V c = with_error(tile, i, gx, gy, hn::Mul(at, scale));
-        // Seen edge-on it covers nothing.
+        // A triangle seen edge-on covers no sample.
         store(hn::IfThenElse(edge_on, hn::Set(d, kOutside), c), tile.c[k]);
     }
     const V inverse_volume = hn::Div(one, p.volume);
