@@ -54,8 +54,8 @@ bool moves_again(const std::vector<glm::vec3>& position, GeometryCopy& copy)
 
 void update_copy(const World& world, bool remake_all, GeometryCopy& copy, Tasks& tasks)
 {
-    const bool skips = remake_all && copy.skipped;
-    copy.skipped = remake_all;
+    const bool skips = remake_all && copy.remade_all;
+    copy.remade_all = remake_all;
     if (skips || moves_again(world.position, copy)) {
         copy.is_stale = true;
         ++copy.version;

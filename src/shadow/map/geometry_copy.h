@@ -18,7 +18,7 @@ struct GeometryCopy {
     Buffer<glm::uvec3> index;
     bool moving = false;       // positions differed in the last full comparison
     std::size_t moved = 0;     // start of the first range of positions that differed
-    bool skipped = false;      // the last call did not need to compare
+    bool remade_all = false;   // remake_all of the last call
     bool is_stale = false;     // the copy may differ from the geometry of the last call
     std::uint64_t version = 0; // increases with each change
 };
