@@ -1,6 +1,7 @@
 // buffer.h - an array that is kept from frame to frame: grows, never shrinks, is not initialised.
 #pragma once
 
+#include "base/fresh_memory.h"
 #include "base/large_pages.h"
 
 #include <cstddef>
@@ -36,6 +37,7 @@ class Buffer {
             const std::size_t bytes = (count + spare) * sizeof(T) + 64; // spare bytes, see above
             data_.reset(static_cast<T*>(::operator new(bytes, kAlignment)));
             if constexpr (pages == Pages::large) request_large_pages(data_.get(), bytes);
+            fill_fresh(data_.get(), bytes);
             capacity_ = count + spare;
         }
         size_ = count;

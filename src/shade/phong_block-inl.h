@@ -114,7 +114,8 @@ HWY_INLINE std::uint64_t reached_samples(const TileShade& tile, std::uint32_t bl
         for (int first = 0; first < kBlockSamples; first += kLanes)
             reached |= bits_of_truth(load(share + first) > real(0.0f)) << first;
     }
-    return reached;
+    // Of samples without an item the shares are undefined.
+    return tile.hits.covered ? reached & tile.hits.covered[block] : reached;
 }
 
 /// Writes the geometric normals of all runs of a block.

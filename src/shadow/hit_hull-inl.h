@@ -82,8 +82,8 @@ HWY_INLINE HitHull hit_hull(
     for (int k = 0; k < HitHull::kRegisters; ++k) {
         const real t =
             mix(real(depths.nearest), real(depths.farthest), load(kFar + k * kLanes) > real(0.5f));
-        hull.p[k] = transform_points(
-            to, real(x) + last * load(kX + k * kLanes), real(y) + last * load(kY + k * kLanes), t);
+        hull.p[k] = transform_points(to, real(to.x0 + x) + last * load(kX + k * kLanes),
+            real(to.y0 + y) + last * load(kY + k * kLanes), t);
     }
     return hull;
 }

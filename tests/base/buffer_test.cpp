@@ -42,6 +42,23 @@ TEST(Buffer, GrowsIntoWhatIsSpareWithoutMoving)
     EXPECT_EQ(buffer.data(), data);
 }
 
+TEST(Buffer, StartsFilledWhereATestAskedForIt)
+{
+    fresh_fill = FreshFill::nan;
+    Buffer<std::uint32_t> buffer;
+    buffer.resize(100, 20);
+    fresh_fill = FreshFill::none;
+    for (const std::uint32_t word : buffer.span()) EXPECT_EQ(word, 0x7FC00000u);
+    EXPECT_EQ(buffer.data()[119 + 16], 0x7FC00000u); // the room for a register's end too
+    Buffer<std::uint64_t> bytes;
+    fresh_fill = FreshFill::random;
+    bytes.resize(2);
+    buffer.resize(1000);
+    fresh_fill = FreshFill::none;
+    EXPECT_NE(bytes[0], bytes[1]);
+    EXPECT_NE(bytes[0], (std::uint64_t(buffer[1]) << 32 | buffer[0]));
+}
+
 TEST(Buffer, IsEmptyAfterItCouldNotGrow)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -1,6 +1,7 @@
 // objects.cpp - owners of OpenGL objects: made when first sized, deleted in time, counted.
 #include "gl/device/objects.h"
 
+#include "base/fresh_memory.h"
 #include "gl/device/context.h"
 
 #include <firsthit/error.h>
@@ -23,6 +24,49 @@ GLuint counted(GLuint name)
 }
 
 constexpr GLuint64 kLongestWait_ns = 60'000'000'000;
+
+/// As fill_fresh (base/fresh_memory.h), but random bits are the same in all elements.
+void fill_fresh_buffer(GLuint name, std::size_t bytes)
+{
+    const FreshFill fill = fresh_fill.load(std::memory_order_relaxed);
+    if (fill == FreshFill::none) return;
+    std::uint32_t word;
+    fill_memory(&word, sizeof word, fill);
+    glClearNamedBufferSubData(name, GL_R32UI, 0, GLsizeiptr(bytes / sizeof word * sizeof word),
+        GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+    check("filling a buffer");
+}
+
+void fill_fresh_texture(GLuint name, GLenum format, int levels)
+{
+    const FreshFill fill = fresh_fill.load(std::memory_order_relaxed);
+    if (fill == FreshFill::none) return;
+    struct Texel {
+        GLenum format, type;
+    };
+    const auto texel = [&]() -> Texel {
+        switch (format) {
+        case GL_R8UI:
+        case GL_R32UI:
+            return {GL_RED_INTEGER, GL_UNSIGNED_INT};
+        case GL_RGBA32UI:
+            return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+        case GL_DEPTH_COMPONENT24:
+        case GL_DEPTH_COMPONENT32F:
+            return {GL_DEPTH_COMPONENT, GL_FLOAT};
+        case GL_RGB8:
+        case GL_RGBA8:
+            return {GL_RGBA, GL_UNSIGNED_BYTE};
+        default:
+            return {GL_RGBA, GL_FLOAT};
+        }
+    }();
+    std::uint32_t words[4];
+    fill_memory(words, sizeof words, fill);
+    for (int level = 0; level < levels; ++level)
+        glClearTexImage(name, level, texel.format, texel.type, words);
+    check("filling a texture");
+}
 
 } // namespace
 
@@ -121,6 +165,7 @@ void Buffer::resize(std::size_t bytes, GLbitfield flags)
         object_.create();
         glNamedBufferStorage(object_.name(), GLsizeiptr(bytes), nullptr, flags);
         check("making a buffer");
+        fill_fresh_buffer(object_.name(), bytes);
         if (flags & GL_MAP_PERSISTENT_BIT) {
             const GLbitfield access = flags & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT |
                                                   GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT);
@@ -157,6 +202,7 @@ void Texture2D::resize(GLenum format, int width, int height, int levels)
     glTextureParameteri(object_.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(object_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     check("making a texture");
+    fill_fresh_texture(object_.name(), format, levels);
     format_ = format;
     width_ = width;
     height_ = height;

@@ -6,6 +6,7 @@
 #define FIRSTHIT_IRREGULAR_CELLS_CELL_RASTER_INL_H_
 #endif
 
+#include "base/undefined_lanes.h"
 #include "irregular/mesh/gather_corners.h"
 #include "irregular/cells/cell_samples-inl.h"
 #include "irregular/cells/set_up-inl.h"
@@ -130,6 +131,7 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
     for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
         const std::size_t at = chunk * kTableBoxes + k;
         auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
+        may_be_undefined(&kernel.box[at], hn::Lanes(d) * sizeof kernel.box[at]); // past the last group
         hn::LoadInterleaved4(d, kernel.box[at].side, x0, minus_x1, y0, minus_y1);
         // The middle of each box, and the largest distance of a sample from it.
         const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),

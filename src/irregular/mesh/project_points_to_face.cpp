@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "irregular/mesh/project_points_to_face.cpp"
 #include "base/simd.h"
 
+#include "base/undefined_lanes.h"
 #include "irregular/mesh/face_samples-inl.h"
 #include "irregular/mesh/project_points_to_face.h"
 
@@ -20,6 +21,10 @@ struct Points {
 
 HWY_INLINE Points load_points(const PointChunk& chunk, std::size_t k)
 {
+    constexpr std::size_t kBytes = std::size_t(kLanes) * sizeof(float); // past the last point too
+    for (const auto* values : {&chunk.x, &chunk.y, &chunk.z})
+        may_be_undefined(values->data() + k, kBytes);
+    may_be_undefined(chunk.id.data() + k, kBytes);
     const real3 p(load(chunk.x.data() + k), load(chunk.y.data() + k), load(chunk.z.data() + k));
     return {p, {hn::And(is_usable(p).lanes, hn::FirstN(RealTag(), chunk.count - k))}};
 }

@@ -19,9 +19,11 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// eye + t * (right * x + down * y + forward), sample (x, y) of the tile, in some space.
+/// eye + t * (right * x + down * y + forward) in some space; the ray (x, y) is counted from the view
+/// axis, so that a sample's bits do not depend on the tile that it is in.
 struct RayTransform {
     glm::vec3 eye, right, down, forward;
+    float x0, y0; // of the tile's first sample
 };
 
 /// Into the space matrix * (p - origin) + offset.
@@ -34,12 +36,13 @@ inline RayTransform ray_transform(const TileFrame& frame, const glm::dmat3& matr
     to.eye = glm::vec3(matrix * (glm::dvec3(frame.eye) - origin) + offset);
     to.right = glm::vec3(axes[0] * inv_f);
     to.down = glm::vec3(axes[1] * inv_f);
-    to.forward = glm::vec3(
-        axes[0] * (inv_f * double(frame.x0)) + axes[1] * (inv_f * double(frame.y0)) + axes[2]);
+    to.forward = glm::vec3(axes[2]);
+    to.x0 = frame.x0;
+    to.y0 = frame.y0;
     return to;
 }
 
-/// Where samples (x, y) of the tile are at depth t.
+/// Where rays (x, y) are at depth t.
 FIRSTHIT_PURE real3 transform_points(const RayTransform& to, real x, real y, real t)
 {
     const auto axis = [&](int k) {
@@ -49,11 +52,11 @@ FIRSTHIT_PURE real3 transform_points(const RayTransform& to, real x, real y, rea
     return real3(axis(0), axis(1), axis(2));
 }
 
-/// The same for the samples [first, first + kLanes) of the block at (x, y) of the tile.
+/// The same for the rays of samples [first, first + kLanes) of the block at (x, y) of the tile.
 FIRSTHIT_PURE real3 transform_hits(const RayTransform& to, float x, float y, int first, real t)
 {
-    return transform_points(to, real(x) + load(kBlockSamplesXY.x + first),
-        real(y) + load(kBlockSamplesXY.y + first), t);
+    return transform_points(to, real(to.x0 + x) + load(kBlockSamplesXY.x + first),
+        real(to.y0 + y) + load(kBlockSamplesXY.y + first), t);
 }
 
 FIRSTHIT_PURE truth operator&(truth a, truth b)

@@ -66,10 +66,23 @@ HWY_INLINE void find_receiver_slopes(
     }
 }
 
-/// Writes the receiver slope of every sample of the tile's runs. Other samples are not written.
+/// Gives samples without an item the slope of a surface that is turned away. Later steps read whole
+/// registers and blocks, where undefined values would decide about their neighbours.
+HWY_INLINE void turn_misses_away(const HitTile& hits, float* receiver_slope)
+{
+    const real away(-1.0f);
+    for (int block = 0; block < int(hits.blocks()); ++block) {
+        if (hits.covered && ~hits.covered[block] == 0) continue;
+        for (int first = 0; first < kBlockSamples; first += kLanes)
+            store(away, receiver_slope + block * kBlockSamples + first);
+    }
+}
+
+/// Writes the receiver slope of every sample of the tile.
 inline void spread_receiver_slope(
     const HitTile& hits, const World& world, const LightFrame& light, float* receiver_slope)
 {
+    turn_misses_away(hits, receiver_slope);
     ReceiverSlopeBatch batch = {};
     const glm::dvec3 eye = glm::dvec3(hits.frame.eye) - light.origin;
     for (std::size_t start = 0; start < hits.runs.size(); start += ReceiverSlopeBatch::kRuns) {

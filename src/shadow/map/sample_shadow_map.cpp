@@ -301,20 +301,28 @@ void sample_maps_of_faces(
     });
 }
 
-/// The face that all hits of the tile lie on, or -1 if they may lie on several. A face's pyramid is
-/// convex, so the tile's convex hull (see hit_hull-inl.h) lies on a face if its corners do.
+/// The face that all hits of the tile certainly lie on, or -1. A face's pyramid is convex, so the
+/// tile's convex hull (see hit_hull-inl.h) lies on a face if its corners do. Corners that are within
+/// a hit's rounding of two faces count as lying on none, so that every hit is sampled on the face
+/// that sample_maps_of_faces would choose.
 int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& depths)
 {
     const double depth[2] = {double(depths.nearest), double(depths.farthest)};
     const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
     int common = -1;
     for (int corner = 0; corner < 8; ++corner) {
-        const double x = corner & 1 ? hits.size - 1 : 0, y = corner & 2 ? hits.size - 1 : 0;
-        const glm::dvec3 p = glm::dvec3(to.eye) + depth[corner / 4] * (x * glm::dvec3(to.right) +
-                                                                          y * glm::dvec3(to.down) +
-                                                                          glm::dvec3(to.forward));
-        const glm::dvec3 size = glm::abs(p);
+        const double x = double(to.x0) + (corner & 1 ? hits.size - 1 : 0),
+                     y = double(to.y0) + (corner & 2 ? hits.size - 1 : 0);
+        const glm::dvec3 right = x * glm::dvec3(to.right), down = y * glm::dvec3(to.down),
+                         forward(to.forward), from(to.eye);
+        const double t = depth[corner / 4];
+        const glm::dvec3 p = from + t * (right + down + forward), size = glm::abs(p);
+        const glm::dvec3 added =
+            glm::abs(from) + t * (glm::abs(right) + glm::abs(down) + glm::abs(forward));
+        const double rounding = double(kRounding) * std::max({added.x, added.y, added.z});
         const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+        if (!(size[axis] - std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]) > rounding))
+            return -1;
         const int face = 2 * axis + (p[axis] < 0 ? 1 : 0);
         if (corner > 0 && face != common) return -1;
         common = face;
