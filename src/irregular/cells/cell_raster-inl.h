@@ -131,7 +131,8 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
     for (std::size_t k = 0; k < kTableBoxes; k += hn::Lanes(d)) {
         const std::size_t at = chunk * kTableBoxes + k;
         auto x0 = half, minus_x1 = half, y0 = half, minus_y1 = half;
-        may_be_undefined(&kernel.box[at], hn::Lanes(d) * sizeof kernel.box[at]); // past the last group
+        may_be_undefined(
+            &kernel.box[at], hn::Lanes(d) * sizeof kernel.box[at]); // past the last group
         hn::LoadInterleaved4(d, kernel.box[at].side, x0, minus_x1, y0, minus_y1);
         // The middle of each box, and the largest distance of a sample from it.
         const auto x = hn::Mul(half, hn::Sub(x0, minus_x1)),
