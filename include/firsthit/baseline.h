@@ -23,6 +23,8 @@ enum class BaselineUpdate {
     rebuild_medium, // one tree, built anew (RTC_BUILD_QUALITY_MEDIUM)
     rebuild_high,   // one tree with spatial splits, for scenes that stand still
 };
+
+/// All of them, in the order of the enumeration.
 inline constexpr std::array<BaselineUpdate, 5> kBaselineUpdates{BaselineUpdate::refit_parts,
     BaselineUpdate::refit, BaselineUpdate::rebuild_low, BaselineUpdate::rebuild_medium,
     BaselineUpdate::rebuild_high};
@@ -33,15 +35,15 @@ std::string_view baseline_update_name(BaselineUpdate update);
 /// Where a frame's time went, milliseconds. Primary, shadow and shade run tile by tile on all threads:
 /// their sum over the threads, divided by the number of threads.
 struct BaselineStats {
-    double pose_ms = 0;
-    double update_ms = 0;  // of the tree
-    double primary_ms = 0; // rays from the eye, and runs of equal items
-    double shadow_ms = 0;  // rays between hits and lights
-    double shade_ms = 0;   // the cpu engine's shading, and storing
-    double total_ms = 0;
+    double pose_ms = 0;                  // scene to world
+    double update_ms = 0;                // of the tree
+    double primary_ms = 0;               // rays from the eye, and runs of equal items
+    double shadow_ms = 0;                // rays between hits and lights
+    double shade_ms = 0;                 // the cpu engine's shading, and storing
+    double total_ms = 0;                 // the whole frame, wall clock
     std::uint64_t updated_triangles = 0; // of the tree
-    std::uint64_t hits = 0;
-    std::uint64_t shadow_rays = 0;
+    std::uint64_t hits = 0;              // pixels that see a triangle
+    std::uint64_t shadow_rays = 0;       // (hit, light) pairs that Embree was asked for
 };
 
 /// Makes the cpu engine's frame with Embree 3: coherent packets of 8 or 16 rays from the eye; where a
@@ -80,7 +82,10 @@ class EmbreeBaseline {
     /// Of the last frame.
     const BaselineStats& stats() const;
 
+    /// How many threads it works on, the caller's among them.
     int threads() const;
+
+    /// Rays in a packet: 8 or 16.
     int packet() const;
 
   private:

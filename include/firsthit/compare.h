@@ -13,6 +13,7 @@
 
 namespace firsthit {
 
+/// What items and shadows are compared with.
 enum class Oracle {
     brute,  // every triangle for every pixel, with the exact predicate
     embree, // Embree 3, robust flag
@@ -20,7 +21,7 @@ enum class Oracle {
 
 /// agree + ties + ours_wrong + theirs_wrong = pixels (both_wrong is counted in ours_wrong).
 struct Comparison {
-    std::uint64_t pixels = 0;
+    std::uint64_t pixels = 0;       // of the frame
     std::uint64_t agree = 0;        // the same item
     std::uint64_t ties = 0;         // different items at exactly the same depth
     std::uint64_t ours_wrong = 0;   // exact arithmetic says: ours is not the nearest hit, lowest id
@@ -36,8 +37,8 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
 /// Of all hits and all lights: does the light reach the hit? agree + ours_wrong + theirs_wrong =
 /// pixels.
 struct LitComparison {
-    std::uint64_t pixels = 0; // hits times lights
-    std::uint64_t agree = 0;
+    std::uint64_t pixels = 0;       // hits times lights
+    std::uint64_t agree = 0;        // the same answer
     std::uint64_t ours_wrong = 0;   // the plain loop over all triangles says otherwise
     std::uint64_t theirs_wrong = 0; // it says that ours is right
 };
@@ -53,7 +54,7 @@ LitComparison compare_lit(const World& world, const View& view, Oracle oracle, i
 /// centres; pictures are compared by their displayed values: the channels, clamped to [0, 1] and
 /// sRGB-encoded, without rounding to codes.
 struct EngineComparison {
-    std::uint64_t pixels = 0;
+    std::uint64_t pixels = 0;       // of the frame
     std::uint64_t missed = 0;       // the cpu sees a triangle, the engine none
     std::uint64_t wrong = 0;        // the engine sees a triangle that is not the cpu's and no tie
     std::uint64_t ties = 0;         // different triangles, both hit at exactly the same depth
@@ -67,6 +68,8 @@ struct EngineComparison {
     /// Peak signal to noise ratio, decibels: 10 log10(values / square_sum). Infinite where the
     /// pictures are equal.
     double psnr_db() const;
+
+    /// The same of square_sum_same_items; nothing where that is nothing.
     std::optional<double> psnr_same_items_db() const;
 };
 
@@ -88,8 +91,10 @@ class EngineComparer {
     ///         DeviceError: no OpenGL, or it fails; the next frame starts anew
     EngineComparison compare(const World& world, const View& view, const Settings& settings);
 
-    /// The pictures of the last frame, with the plane `item`.
+    /// The engine's picture of the last frame, with the plane `item`.
     const Film& engine_film() const;
+
+    /// The cpu engine's picture of the last frame, with the plane `item`.
     const Film& cpu_film() const;
 
     /// Of the last frame: OpenGL's renderer and version.

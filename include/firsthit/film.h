@@ -24,34 +24,43 @@ enum class Aov {
     barycentric,      // 2: u, v, weights of corners 1 and 2 (Embree's convention); none = 0
     lit, // one for each light: the share of it that arrives, 0 (in shadow) to 1; none = 0
 };
+
+/// How many planes there are in Aov.
 inline constexpr int kAovCount = 10;
 
 /// The plane `lit` is made of at most so many lights.
 inline constexpr std::size_t kMaxLitLights = 64;
 
-/// "item", "depth", ...
+/// The name that files and the command line use: "item", "depth", ...
 std::string_view aov_name(Aov aov);
-/// throws ArgumentError that lists the names
+
+/// The plane of a name.
+/// throws  ArgumentError that lists the names
 Aov aov_from_name(std::string_view name);
+
 /// 1, 2 or 3; 0 for `lit`, which has as many as the world has lights (Plane::channels says it)
 int aov_channels(Aov aov);
 
 /// (height, width, channels) float, row 0 at the top. Empty where it was not asked for.
 struct Plane {
-    int channels = 0;
-    std::vector<float> value;
+    int channels = 0;         // values of a pixel; 0 where the plane is empty
+    std::vector<float> value; // height * width * channels
+
+    /// Whether there are no values.
     bool empty() const { return value.empty(); }
 };
 
 /// A picture: colour in linear Rec.709 (height, width, 3), and the planes asked for.
 struct Film {
-    int width = 0;
-    int height = 0;
-    Plane color;
+    int width = 0;                    // pixels
+    int height = 0;                   // pixels
+    Plane color;                      // 3 channels, linear; empty where it was not asked for
     std::array<Plane, kAovCount> aov; // float planes, by Aov; Aov::item is in `item`
     std::vector<std::uint32_t> item;  // (height, width), or empty
 
+    /// A plane by its name. That of Aov::item stays empty: see `item`.
     Plane& operator[](Aov a) { return aov[static_cast<std::size_t>(a)]; }
+    /// The same, to read.
     const Plane& operator[](Aov a) const { return aov[static_cast<std::size_t>(a)]; }
 };
 
@@ -65,9 +74,11 @@ void write_color(const Film& film, const std::string& path);
 /// throws  as write_color; ArgumentError where the film lacks the plane or lit has too many lights
 void write_aov(const Film& film, Aov aov, const std::string& path);
 
-/// Throws what write_color or write_aov would throw for the path alone: another ending, a folder
-/// that is missing or may not be written. For asking before a long computation; nothing is created.
+/// Throws what write_color would throw for the path alone: another ending, a folder that is missing
+/// or may not be written. For asking before a long computation; nothing is created.
 void check_color_path(const std::string& path);
+
+/// The same of write_aov.
 void check_aov_path(const std::string& path);
 
 } // namespace firsthit

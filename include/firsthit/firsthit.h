@@ -11,3 +11,7 @@
 #include <firsthit/render.h>
 #include <firsthit/scene.h>
 #include <firsthit/view.h>
+
+/// All of the library.
+namespace firsthit {
+}

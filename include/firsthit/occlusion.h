@@ -54,6 +54,7 @@ class Occlusion {
         std::span<const Light> lights, std::vector<std::uint8_t>& bits,
         std::span<const std::uint32_t> receivers = {});
 
+    /// How many threads it works on, the caller's among them.
     int threads() const;
 
   private:

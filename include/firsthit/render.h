@@ -66,22 +66,22 @@ enum class GpuPasses {
 
 /// What is done by OpenGL, and how.
 struct OpenGlSettings {
-    ItemFormat item_format = ItemFormat::r32ui;
-    DepthFormat depth_format = DepthFormat::float32;
-    Readback readback = Readback::async;
-    int readback_chunks = 8; // of the picture, 1 to 64
-    GpuPasses passes = GpuPasses::single;
+    ItemFormat item_format = ItemFormat::r32ui;      // of the item buffer
+    DepthFormat depth_format = DepthFormat::float32; // of the item buffer
+    Readback readback = Readback::async;             // of the hybrid engine
+    int readback_chunks = 8;                         // of the picture, 1 to 64
+    GpuPasses passes = GpuPasses::single;            // of the gpu engine
 };
 
 /// What a frame is made with. Items and pictures do not depend on threads, tile size or instruction
 /// set.
 struct Settings {
-    Engine engine = Engine::cpu;
-    int samples = 1;       // N: N x N regular rays a pixel, 1 to 16
-    bool color = true;     // false: only the planes are made
-    std::vector<Aov> aovs; // which planes to make
-    int tile_size = 64;    // pixels, a multiple of 8 from 8 to 128
-    Shadows shadows = Shadows::automatic;
+    Engine engine = Engine::cpu;          // where the frame is made
+    int samples = 1;                      // N: N x N regular rays a pixel, 1 to 16
+    bool color = true;                    // false: only the planes are made
+    std::vector<Aov> aovs;                // which planes to make
+    int tile_size = 64;                   // pixels, a multiple of 8 from 8 to 128
+    Shadows shadows = Shadows::automatic; // how lights are tested
     int shadow_map_size = 0; // texels on a side; 0: by the camera's frustum, the hits and the light
     double shadow_bias = -1; // of a map, world units towards the light; negative: by the texels
     int shadow_filter = 1;   // N: N x N texels are compared, 1 to 15; 1: hard borders
@@ -89,29 +89,29 @@ struct Settings {
                              // interpolated (section 4.1), 1 to 16; needs samples = 1
     Multisample multisample = Multisample::lazy3; // of the OpenGL engines
     bool interpolate = true; // pixels whose triangle is not found get the colours around them
-    OpenGlSettings opengl;
+    OpenGlSettings opengl;   // of the hybrid and gpu engines
 };
 
 /// Where a frame's time went and what it counted. Milliseconds. Raster, resolve and shade run tile
 /// by tile on all threads: their sum over the threads, divided by the number of threads.
 struct Stats {
-    double pose_ms = 0;
-    double setup_ms = 0; // vertices to the view, triangles to tiles
-    double raster_ms = 0;
-    double resolve_ms = 0;
+    double pose_ms = 0;           // scene to world
+    double setup_ms = 0;          // vertices to the view, triangles to tiles
+    double raster_ms = 0;         // which triangle does each sample see?
+    double resolve_ms = 0;        // where exactly is it hit?
     double shadow_ms = 0;         // which lights reach what is seen; of exact shadows the parts:
     double shadow_collect_ms = 0; // hits to points in the lights' spaces
     double shadow_sort_ms = 0;    // vertices to the lights' spaces, points and triangles into cells
     double shadow_test_ms = 0;    // triangles over points
-    double shade_ms = 0;
-    double draw_ms = 0;     // hybrid: vertices posed and triangles handed to OpenGL
-    double transfer_ms = 0; // hybrid: from there until the last item is in host memory
-    double wait_ms = 0;     // hybrid: how long the rays waited for items, of the two above
-    double write_ms = 0;    // filled in by who writes
-    double total_ms = 0;
-    std::uint64_t vertices = 0;
-    std::uint64_t triangles = 0;
-    std::uint64_t in_view = 0;           // triangles whose box holds a sample
+    double shade_ms = 0;          // colour and planes
+    double draw_ms = 0;           // hybrid: vertices posed and triangles handed to OpenGL
+    double transfer_ms = 0;       // hybrid: from there until the last item is in host memory
+    double wait_ms = 0;           // hybrid: how long the rays waited for items, of the two above
+    double write_ms = 0;          // filled in by who writes
+    double total_ms = 0;          // the whole frame, wall clock
+    std::uint64_t vertices = 0;   // of the scene
+    std::uint64_t triangles = 0;  // of the scene
+    std::uint64_t in_view = 0;    // triangles whose box holds a sample
     std::uint64_t tile_entries = 0;      // (triangle, tile) pairs
     std::uint64_t uncertain_lanes = 0;   // coverage that the float filter left open
     std::uint64_t ambiguous_lanes = 0;   // depth order that the float filter left open
@@ -173,8 +173,11 @@ class Renderer {
 
     /// Of the last frame.
     const Stats& stats() const;
+
+    /// Of the last frame.
     const EngineInfo& engine() const;
 
+    /// How many threads it works on, the caller's among them.
     int threads() const;
 
   private:
