@@ -5,6 +5,7 @@
 #include <firsthit/error.h>
 #include <firsthit/file.h>
 #include <firsthit/film.h>
+#include <firsthit/normals.h>
 #include <firsthit/npy.h>
 #include <firsthit/occlusion.h>
 #include <firsthit/baseline.h>

@@ -162,6 +162,7 @@ struct World {
     Camera camera;                          // of that time
     std::vector<glm::dmat4> node_matrix;    // (nodes) world_from_node
     std::vector<std::uint8_t> node_visible; // (nodes)
+    std::vector<glm::dvec3> normal_sum;     // memory that update_normals keeps here
 };
 
 /// How files become scenes.

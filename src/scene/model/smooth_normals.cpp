@@ -1,6 +1,8 @@
 // smooth_normals.cpp - normals for triangles that came without.
 #include "scene/model/smooth_normals.h"
 
+#include "scene/model/corner_normal.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,36 +13,6 @@
 namespace firsthit {
 namespace {
 
-/// In double: products of six coordinates stay far from overflow.
-struct Triangle {
-    glm::dvec3 edge[3]; // edge[k] from corner k to corner k + 1
-    glm::dvec3 cross;   // twice the area along the normal
-};
-
-Triangle triangle_at(std::span<const glm::vec3> position, const glm::uvec3& corners)
-{
-    const glm::dvec3 a(position[corners.x]);
-    const glm::dvec3 b(position[corners.y]);
-    const glm::dvec3 c(position[corners.z]);
-    return {{b - a, c - b, a - c}, glm::cross(b - a, c - b)};
-}
-
-/// Max's weighted normal at a corner: sine over the lengths of both edges, times the unit normal.
-glm::dvec3 weighted(const Triangle& triangle, int corner)
-{
-    const glm::dvec3& out = triangle.edge[corner];
-    const glm::dvec3& in = triangle.edge[(corner + 2) % 3];
-    const double lengths = glm::dot(out, out) * glm::dot(in, in);
-    return lengths > 0 ? triangle.cross / lengths : glm::dvec3(0);
-}
-
-glm::vec3 unit(const glm::dvec3& sum)
-{
-    const double largest = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z)});
-    if (!(largest > 0)) return {0, 0, 1};
-    return glm::vec3(glm::normalize(sum / largest));
-}
-
 SmoothNormals all_smooth(std::span<const glm::vec3> position, std::span<const glm::uvec3> index)
 {
     std::vector<glm::dvec3> sum(position.size(), glm::dvec3(0));
@@ -48,14 +20,14 @@ SmoothNormals all_smooth(std::span<const glm::vec3> position, std::span<const gl
     made.one_a_point = true;
     made.corner.reserve(index.size() * 3);
     for (const glm::uvec3& corners : index) {
-        const Triangle triangle = triangle_at(position, corners);
+        const TriangleEdges triangle = triangle_edges(position, corners);
         for (int k = 0; k < 3; ++k) {
-            sum[corners[k]] += weighted(triangle, k);
+            sum[corners[k]] += corner_normal(triangle, k);
             made.corner.push_back(corners[k]);
         }
     }
     made.normal.reserve(sum.size());
-    for (const glm::dvec3& s : sum) made.normal.push_back(unit(s));
+    for (const glm::dvec3& s : sum) made.normal.push_back(unit_normal(s));
     return made;
 }
 
@@ -122,7 +94,8 @@ SmoothNormals with_creases(
 {
     std::vector<glm::dvec3> cross;
     cross.reserve(index.size());
-    for (const glm::uvec3& corners : index) cross.push_back(triangle_at(position, corners).cross);
+    for (const glm::uvec3& corners : index)
+        cross.push_back(triangle_edges(position, corners).cross);
 
     // Join the corners on both sides of every smooth edge, at both of its ends.
     Groups groups(index.size() * 3);
@@ -153,10 +126,10 @@ SmoothNormals with_creases(
             made.corner[c] = made.corner[root];
         }
         sum[made.corner[c]] +=
-            weighted(triangle_at(position, index[c / 3]), static_cast<int>(c % 3));
+            corner_normal(triangle_edges(position, index[c / 3]), static_cast<int>(c % 3));
     }
     made.normal.reserve(sum.size());
-    for (const glm::dvec3& s : sum) made.normal.push_back(unit(s));
+    for (const glm::dvec3& s : sum) made.normal.push_back(unit_normal(s));
     return made;
 }
 

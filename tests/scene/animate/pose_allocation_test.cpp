@@ -4,6 +4,8 @@
 #include "allocations.h"
 #include "readers/aff/aff_text.h"
 
+#include <firsthit/normals.h>
+
 #include <gtest/gtest.h>
 
 namespace firsthit {
@@ -29,6 +31,20 @@ TEST(PoseAllocation, HappensOnlyInTheFirstPose)
         for (int frame = 0; frame < 10; ++frame) pose(scene, 0.1 * frame, world, tasks);
         EXPECT_EQ(allocations(), before) << threads << " threads";
     }
+}
+
+TEST(PoseAllocation, NormalsAllocateOnlyTheFirstTime)
+{
+    const Scene scene = load_scene("builtin:torus");
+    World world;
+    pose(scene, 0, world);
+    update_normals(world);
+    const std::size_t before = allocations();
+    for (int frame = 0; frame < 3; ++frame) {
+        world.position[0].x += 0.01f;
+        update_normals(world);
+    }
+    EXPECT_EQ(allocations(), before);
 }
 
 } // namespace
