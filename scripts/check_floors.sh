@@ -7,7 +7,7 @@ cd "$root"
 
 list_files()
 {
-    for folder in src include apps tests/consumer; do
+    for folder in src include apps examples tests/consumer; do
         [ -d "$folder" ] || continue
         find "$folder" -type f \( -name '*.h' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' -o -name '*.glsl' \) -print0
     done | sort -z

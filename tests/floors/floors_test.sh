@@ -57,6 +57,7 @@ sample 1 apps/firsthit/a.cpp '#include <base/tasks.h>'
 sample 1 apps/firsthit/bench/a.cpp '#include "cpu/frame.h"'
 sample 1 apps/firsthit/a.cpp '#include "../../src/scene/track.h"'
 sample 1 tests/consumer/a.cpp '#include "scene/track.h"'
+sample 1 examples/a.cpp '#include "scene/track.h"'
 sample 1 'src/film/with a space.cpp' '#include "cpu/b.h"'
 
 echo "$failures failures"

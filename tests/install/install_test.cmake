@@ -1,4 +1,4 @@
-# install_test.cmake - installs into an empty folder, builds the consumer against it, runs both.
+# install_test.cmake - installs into an empty folder, builds the consumer and the examples against it, runs all.
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
     if(NOT result EQUAL 0)
@@ -9,17 +9,23 @@ endfunction()
 file(REMOVE_RECURSE ${WORK_FOLDER})
 file(MAKE_DIRECTORY ${WORK_FOLDER})
 run(${CMAKE_COMMAND} --install ${BUILD_FOLDER} --prefix ${WORK_FOLDER}/prefix)
-run(${CMAKE_COMMAND} -S ${CONSUMER_FOLDER} -B ${WORK_FOLDER}/build -G ${GENERATOR}
-    -D CMAKE_CXX_COMPILER=${COMPILER}
-    -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-    -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
-    -D CMAKE_CXX_FLAGS=${FLAGS}
-    -D CMAKE_PREFIX_PATH=${WORK_FOLDER}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK_FOLDER}/build)
+# build_project(SOURCE BINARY): a project that finds the installed package.
+function(build_project source binary)
+    run(${CMAKE_COMMAND} -S ${source} -B ${binary} -G ${GENERATOR}
+        -D CMAKE_CXX_COMPILER=${COMPILER}
+        -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+        -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
+        -D CMAKE_CXX_FLAGS=${FLAGS}
+        -D CMAKE_PREFIX_PATH=${WORK_FOLDER}/prefix)
+    run(${CMAKE_COMMAND} --build ${binary})
+endfunction()
+build_project(${CONSUMER_FOLDER} ${WORK_FOLDER}/build)
 run(${CMAKE_COMMAND} -E chdir ${WORK_FOLDER} ${WORK_FOLDER}/build/consumer)
 if(NOT EXISTS ${WORK_FOLDER}/torus.png)
     message(FATAL_ERROR "the consumer wrote no torus.png")
 endif()
+build_project(${EXAMPLES_FOLDER} ${WORK_FOLDER}/examples)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK_FOLDER}/examples --output-on-failure --no-tests=error)
 if(PROGRAM)
     run(${WORK_FOLDER}/prefix/bin/${PROGRAM} --version)
 endif()
