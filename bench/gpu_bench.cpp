@@ -8,6 +8,7 @@
 #include "gl/items/drawn_items.h"
 #include "gl/gpu_frame.h"
 #include "render/check_settings.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -49,11 +50,12 @@ void measure(
     std::vector<double> setup, raster, resolve, shadow, shade, total;
     std::uint64_t maps = 0;
     for (int k = -2; k < frames; ++k) {
-        pose(scene, 0.04 * (k + 2), world);
+        pose(borrow(scene), 0.04 * (k + 2), world);
         if (k == -2) view.camera = scene.camera ? world.camera : framing_camera(world);
         Stats stats;
         Stopwatch watch;
-        frame.render(world, checked(view), settings, items, tasks, film, stats);
+        const View filled = checked(view);
+        frame.render({world, filled, tasks, film}, settings, {items}, stats);
         if (k < 0) continue; // shaders are compiled, memory grows
         total.push_back(watch.lap_ms());
         setup.push_back(stats.setup_ms);

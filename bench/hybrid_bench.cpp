@@ -6,6 +6,7 @@
 // The last column is the share of OpenGL's time, from the first call to the last item in host
 // memory, that the rays did not have to wait for.
 #include "baselines.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -55,7 +56,7 @@ void measure(const std::string& argument, const Options& options)
     for (const int chunks : {1, 2, 4, 8, 16, 32})
         ways.emplace_back(Readback::async, chunks, options.threads);
     for (int round = -3; round < options.rounds; ++round) {
-        pose(scene, asked.time_s + 0.02 * (round + 3), world);
+        pose(borrow(scene), asked.time_s + 0.02 * (round + 3), world);
         view.camera = scene.camera ? world.camera : framing_camera(world);
         for (std::size_t k = 0; k < ways.size(); ++k) {
             // Each round begins with another way.

@@ -10,6 +10,7 @@
 #include "hits/item_repair.h"
 #include "hits/resolve_tile.h"
 #include "render/check_settings.h"
+#include "scene/model/borrow.h"
 #include "visibility/bin/bins.h"
 #include "visibility/lazy_items.h"
 #include "visibility/bin/project.h"
@@ -60,7 +61,7 @@ struct Frame {
     {
         const std::size_t at = name.find('@');
         scene = load_scene(name.substr(0, at));
-        pose(scene, at == std::string::npos ? 0 : std::atof(name.c_str() + at + 1), world);
+        pose(borrow(scene), at == std::string::npos ? 0 : std::atof(name.c_str() + at + 1), world);
         View camera;
         camera.width = camera.height = kSide;
         camera.camera = scene.camera ? world.camera : framing_camera(world);

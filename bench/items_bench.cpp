@@ -14,6 +14,7 @@
 #include "rays/embree_caster.h"
 #include "render/check_settings.h"
 #include "scene/animate/pose.h"
+#include "scene/model/borrow.h"
 #include "visibility/bin/project.h"
 
 #include <firsthit/firsthit.h>
@@ -51,7 +52,7 @@ struct Ours {
     {
         stats = {};
         Stopwatch watch;
-        render_frame(world, view, settings, memory, tasks, film, stats);
+        render_frame({world, view, tasks, film}, settings, memory, stats);
         total_ms.push_back(watch.lap_ms());
         setup_ms.push_back(stats.setup_ms);
         raster_ms.push_back(stats.raster_ms);
@@ -88,7 +89,7 @@ void measure(const std::string& argument, const Options& options)
     const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, asked.time_s, world, tasks);
+    pose(borrow(scene), asked.time_s, world, tasks);
     View view;
     view.camera = scene.camera ? world.camera : framing_camera(world);
     view = checked(view);

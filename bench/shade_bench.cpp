@@ -3,6 +3,7 @@
 // Each run has a triangle of its own, and vertices are shared, as in a mesh. The mip level differs
 // from run to run.
 #include "base/simd_targets.h"
+#include "scene/model/borrow.h"
 #include "shade/shade_tile.h"
 
 #include <benchmark/benchmark.h>
@@ -85,7 +86,7 @@ struct ShadedPicture {
             scene.uv.emplace_back(x, z);
         }
         scene.vertices = world.position.size();
-        world.scene = &scene;
+        world.scene = borrow(scene);
         for (int k = 0; k < kTile * kTile; ++k) {
             t[k] = 5.0f + static_cast<float>(k % 64) / 64.0f;
             u[k] = static_cast<float>(k % 8) / 32.0f;

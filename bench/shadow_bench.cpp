@@ -16,6 +16,7 @@
 #include "cpu/frame.h"
 #include "render/check_settings.h"
 #include "scene/animate/pose.h"
+#include "scene/model/borrow.h"
 #include "shadow/exact/collect_hits.h"
 #include "shadow/exact/find_receivers.h"
 #include "shadow/map/sample_shadow_map.h"
@@ -99,7 +100,7 @@ void measure(const std::string& argument, const Options& options)
     const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, asked.time_s, world, tasks);
+    pose(borrow(scene), asked.time_s, world, tasks);
     set_lights(options.lights, world);
     View view;
     view.width = options.width;
@@ -112,11 +113,11 @@ void measure(const std::string& argument, const Options& options)
     Stats stats;
     Settings settings;
     settings.shadow_map_size = options.map_size;
-    render_frame(world, view, settings, memory, tasks, film, stats);
+    render_frame({world, view, tasks, film}, settings, memory, stats);
     const std::size_t samples = std::size_t(memory.tiles[0].size * memory.tiles[0].size);
     const auto run_exact = [&] {
         test_exact_shadows(
-            world, view.camera.eye, memory.tiles, memory.lit.exact, tasks, memory.lit.bits);
+            {world, view.camera.eye, memory.tiles}, memory.lit.exact, tasks, memory.lit.bits);
     };
 
     // The points of all tiles and the first light, for Embree.

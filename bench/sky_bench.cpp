@@ -13,6 +13,7 @@
 #include "base/stopwatch.h"
 #include "base/tasks.h"
 #include "scene/animate/pose.h"
+#include "scene/model/borrow.h"
 #include "shadow/exact/point_shadows.h"
 
 #include <firsthit/firsthit.h>
@@ -87,7 +88,7 @@ void measure(const std::string& argument, const Options& options)
     const Scene scene = load_scene(asked.scene);
     Tasks tasks(options.threads);
     World world;
-    pose(scene, asked.time_s, world, tasks);
+    pose(borrow(scene), asked.time_s, world, tasks);
     const std::vector<glm::vec3> points = make_points(world, options);
 
     // Embree in world space: a light at the origin.

@@ -25,7 +25,8 @@ inline Rendered render_planes(const World& world, const View& view, std::vector<
     settings.aovs = std::move(aovs);
     settings.tile_size = tile_size;
     Rendered rendered;
-    render_frame(world, checked(view), settings, memory, tasks, rendered.film, rendered.stats);
+    const View filled = checked(view);
+    render_frame({world, filled, tasks, rendered.film}, settings, memory, rendered.stats);
     return rendered;
 }
 

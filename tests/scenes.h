@@ -35,7 +35,7 @@ struct TestWorld {
         part.vertex_count = std::uint32_t(world.position.size());
         part.triangle_count = std::uint32_t(scene->index.size());
         scene->parts = {part};
-        world.scene = scene.get();
+        world.scene = scene;
         world.node_matrix = {glm::dmat4(1.0)};
         world.node_visible = {1};
         return world;

@@ -175,9 +175,9 @@ std::vector<double> times_of(const CompareOptions& options, const Scene& scene)
                                   : options.frames;
 }
 
-int compare_with_oracle(const CompareOptions& options, const Scene& scene)
+int compare_with_oracle(const CompareOptions& options, const std::shared_ptr<const Scene>& scene)
 {
-    const std::vector<double> times = times_of(options, scene);
+    const std::vector<double> times = times_of(options, *scene);
     const std::vector<Region> regions = bands(options);
     ViewMaker views(options.camera);
     World world;
@@ -201,12 +201,12 @@ int compare_with_oracle(const CompareOptions& options, const Scene& scene)
     return sum.ours_wrong + (lit ? lit->ours_wrong : 0) == 0 ? kExitDone : kExitFailed;
 }
 
-int compare_with_cpu(const CompareOptions& options, const Scene& scene)
+int compare_with_cpu(const CompareOptions& options, const std::shared_ptr<const Scene>& scene)
 {
     Settings settings;
     settings.shadows = options.shadows;
     apply(options.engine, settings);
-    const std::vector<double> times = times_of(options, scene);
+    const std::vector<double> times = times_of(options, *scene);
     ViewMaker views(options.camera);
     EngineComparer comparer(options.threads);
     World world;
@@ -230,7 +230,7 @@ int compare_with_cpu(const CompareOptions& options, const Scene& scene)
 int run_compare(const CompareOptions& options)
 {
     check(options);
-    const Scene scene = load(options.scene);
+    const auto scene = std::make_shared<const Scene>(load(options.scene));
     return options.oracle ? compare_with_oracle(options, scene) : compare_with_cpu(options, scene);
 }
 

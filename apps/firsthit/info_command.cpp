@@ -151,10 +151,10 @@ std::string info_text(const Json& info)
 
 int run_info(const InfoOptions& options)
 {
-    const Scene scene = load(options.scene);
+    const auto scene = std::make_shared<const Scene>(load(options.scene));
     World world;
-    pose(scene, scene.begin_s, world);
-    const Json info = describe(scene, world, options.scene.name);
+    pose(scene, scene->begin_s, world);
+    const Json info = describe(*scene, world, options.scene.name);
     print(options.json ? to_text(info) : info_text(info));
     return kExitDone;
 }

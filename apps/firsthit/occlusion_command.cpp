@@ -229,13 +229,13 @@ int run_occlusion(const OcclusionOptions& options)
                 options.receivers, receivers.size(), points.size(), options.points));
     }
     const std::vector<Light> lights = lights_of(options);
-    const Scene scene = load(options.scene);
-    check_inputs_stay(options, scene);
+    const auto scene = std::make_shared<const Scene>(load(options.scene));
+    check_inputs_stay(options, *scene);
     report.load_ms = loading.ms();
 
     const Stopwatch posing;
     World world;
-    pose(scene, options.time_s.value_or(scene.begin_s), world);
+    pose(scene, options.time_s.value_or(scene->begin_s), world);
     report.pose_ms = posing.ms();
 
     // Bits: a million points and 145 directions are 18 MB, whatever is written.
@@ -258,7 +258,7 @@ int run_occlusion(const OcclusionOptions& options)
     report.write_ms = writing.ms();
     report.points = points.size();
     report.lights = lights.size();
-    report.triangles = scene.triangle_count();
+    report.triangles = scene->triangle_count();
     for (const std::uint8_t byte : bits) report.occluded += std::uint64_t(std::popcount(byte));
     report.threads = occlusion.threads();
     report.instruction_set = instruction_set();

@@ -58,14 +58,15 @@ int run_render(const RenderOptions& options)
     run.samples = options.samples;
     run.instruction_set = instruction_set();
     const Stopwatch loading;
-    Scene scene = load(options.scene);
-    check_inputs_stay(options, scene);
-    apply(options.light, scene);
-    check_memory(options, scene.lights.size());
+    Scene read = load(options.scene);
+    check_inputs_stay(options, read);
+    apply(options.light, read);
+    check_memory(options, read.lights.size());
+    const auto scene = std::make_shared<const Scene>(std::move(read));
     run.load_ms = loading.ms();
 
     const std::vector<double> times =
-        options.frames.empty() ? std::vector<double>{options.time_s.value_or(scene.begin_s)}
+        options.frames.empty() ? std::vector<double>{options.time_s.value_or(scene->begin_s)}
                                : options.frames;
     const Settings settings = render_settings(options);
     Renderer renderer(options.threads);

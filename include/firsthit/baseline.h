@@ -2,49 +2,15 @@
 #pragma once
 
 #include <firsthit/film.h>
-#include <firsthit/render.h>
+#include <firsthit/options/baseline_options.h>
 #include <firsthit/scene.h>
+#include <firsthit/settings.h>
 #include <firsthit/view.h>
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 
 namespace firsthit {
-
-/// How Embree's tree follows a scene. Where nothing has moved since the frame before, the tree stays as
-/// it is.
-enum class BaselineUpdate {
-    refit_parts,    // a tree for each part, refitted where it has moved, and one over all parts
-    refit,          // one tree of medium quality, its boxes refitted
-    rebuild_low,    // one tree, built anew: quickly, along a curve (RTC_BUILD_QUALITY_LOW)
-    rebuild_medium, // one tree, built anew (RTC_BUILD_QUALITY_MEDIUM)
-    rebuild_high,   // one tree with spatial splits, for scenes that stand still
-};
-
-/// All of them, in the order of the enumeration.
-inline constexpr std::array<BaselineUpdate, 5> kBaselineUpdates{BaselineUpdate::refit_parts,
-    BaselineUpdate::refit, BaselineUpdate::rebuild_low, BaselineUpdate::rebuild_medium,
-    BaselineUpdate::rebuild_high};
-
-/// "refit-parts", ...
-std::string_view baseline_update_name(BaselineUpdate update);
-
-/// Where a frame's time went, milliseconds. Primary, shadow and shade run tile by tile on all threads:
-/// their sum over the threads, divided by the number of threads.
-struct BaselineStats {
-    double pose_ms = 0;                  // scene to world
-    double update_ms = 0;                // of the tree
-    double primary_ms = 0;               // rays from the eye, and runs of equal items
-    double shadow_ms = 0;                // rays between hits and lights
-    double shade_ms = 0;                 // the cpu engine's shading, and storing
-    double total_ms = 0;                 // the whole frame, wall clock
-    std::uint64_t updated_triangles = 0; // of the tree
-    std::uint64_t hits = 0;              // pixels that see a triangle
-    std::uint64_t shadow_rays = 0;       // (hit, light) pairs that Embree was asked for
-};
 
 /// Makes the cpu engine's frame with Embree 3: coherent packets of 8 or 16 rays from the eye; where a
 /// hit's triangle faces a light, a shadow ray, in coherent packets too; then the cpu engine's own
@@ -54,13 +20,14 @@ struct BaselineStats {
 /// meet edges, equal depths, and shadows that begin at their own triangle.
 class EmbreeBaseline {
   public:
-    /// scene    has to outlive the baseline
+    /// scene    is shared by the baseline and its worlds
     /// threads  0: one for each core. Trees are built by as many
     /// packet   rays in a packet: 8, over 4x2 pixels, or 16, over 4x4; 0: the most that Embree has
     ///          instructions for here
     /// throws   DeviceError: the build has no Embree, or Embree fails
     ///          ArgumentError: another number of rays
-    EmbreeBaseline(const Scene& scene, BaselineUpdate update, int threads = 0, int packet = 0);
+    EmbreeBaseline(
+        std::shared_ptr<const Scene> scene, BaselineUpdate update, int threads = 0, int packet = 0);
     ~EmbreeBaseline();
     EmbreeBaseline(const EmbreeBaseline&) = delete;
     EmbreeBaseline& operator=(const EmbreeBaseline&) = delete;

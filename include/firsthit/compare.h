@@ -1,8 +1,9 @@
 // compare.h - holds items and shadows against other ray casters, and engines against each other.
 #pragma once
 
-#include <firsthit/render.h>
+#include <firsthit/film.h>
 #include <firsthit/scene.h>
+#include <firsthit/settings.h>
 #include <firsthit/view.h>
 
 #include <cstdint>

@@ -37,4 +37,10 @@ class DeviceError : public Error {
     using Error::Error;
 };
 
+/// The caller gave the work up (frame_control.h).
+class Cancelled : public Error {
+  public:
+    using Error::Error;
+};
+
 } // namespace firsthit

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -152,9 +153,10 @@ struct Scene {
     std::size_t vertices = 0;
 };
 
-/// The scene posed at one time, in world space. Memory is reused from pose to pose.
+/// The scene posed at one time, in world space. Memory is reused from pose to pose. The scene lives
+/// at least as long as the world.
 struct World {
-    const Scene* scene = nullptr;           // has to outlive the world
+    std::shared_ptr<const Scene> scene;     // what was posed; shared, so that it lives as long
     double time_s = 0;                      // of the pose
     std::vector<glm::vec3> position;        // (V)
     std::vector<glm::vec3> normal;          // (V) unit
@@ -191,12 +193,19 @@ Scene scene_from_arrays(std::vector<glm::vec3> position, std::vector<glm::uvec3>
 /// Poses the scene at a time, clamped to nothing: tracks clamp themselves. Deterministic, whatever
 /// the number of threads; writes into `world` and allocates nothing once its sizes have settled.
 /// A part of an invisible node collapses to a point, which no ray hits. A scene without a camera
-/// gets framing_camera's.
+/// gets framing_camera's. The world shares the scene: what was posed stays valid whatever becomes
+/// of the caller's own pointer.
+///
+///     const auto scene = std::make_shared<const Scene>(load_scene("robots.aff"));
+///     pose(scene, 0.5, world);
 ///
 /// throws  SceneError: a posed coordinate that is not finite (names the part), an index out of
 /// range
-///         ArgumentError: a time that is not finite
-void pose(const Scene& scene, double time_s, World& world, int threads = 1);
+///         ArgumentError: a time that is not finite, no scene
+void pose(std::shared_ptr<const Scene> scene, double time_s, World& world, int threads = 1);
+
+/// The same for a scene that is posed once: it is moved into the world.
+void pose(Scene&& scene, double time_s, World& world, int threads = 1);
 
 /// A camera that sees the whole world from the front, slightly above.
 Camera framing_camera(const World& world);

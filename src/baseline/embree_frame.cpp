@@ -10,22 +10,14 @@
 namespace firsthit {
 namespace {
 
-void lay_out(const View& view, int tile_size, ViewMemory& memory)
-{
-    memory.pencil = pencil_of(view, view.region, 1);
-    memory.tile_size = tile_size;
-    memory.tiles_x = (view.region.width + tile_size - 1) / tile_size;
-    memory.tiles_y = (view.region.height + tile_size - 1) / tile_size;
-}
-
-EmbreeTile tile_of(const ViewMemory& view, const EmbreeTree& tree, int packet, int tile)
+EmbreeTile tile_of(const TileLayout& view, const EmbreeRays& answers, int tile)
 {
     const Pencil& pencil = view.pencil;
     const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
     EmbreeTile rays;
-    rays.scene = tree.scene();
-    rays.first_triangle = tree.first_triangle();
-    rays.packet = packet;
+    rays.scene = answers.tree.scene();
+    rays.first_triangle = answers.tree.first_triangle();
+    rays.packet = answers.packet;
     rays.size = view.tile_size;
     rays.width = std::min(view.tile_size, pencil.width - x);
     rays.height = std::min(view.tile_size, pencil.height - y);
@@ -37,23 +29,20 @@ EmbreeTile tile_of(const ViewMemory& view, const EmbreeTree& tree, int packet, i
     return rays;
 }
 
-void prepare(const World& world, const View& view, const Settings& settings,
-    EmbreeFrameMemory& memory, Tasks& tasks, Film& film)
+void prepare(const FrameContext& frame, const Settings& settings, EmbreeFrameMemory& memory)
 {
-    const auto threads = std::size_t(tasks.threads());
+    const std::size_t lights = frame.world.lights.size();
+    const auto threads = std::size_t(frame.tasks.threads());
     const auto samples = std::size_t(settings.tile_size) * std::size_t(settings.tile_size);
-    lay_out(view, settings.tile_size, memory.view);
+    lay_out(pencil_of(frame.view, frame.view.region, 1), settings.tile_size, memory.view);
     resize(memory.hits, settings.tile_size, threads);
     while (memory.workers.size() < threads)
         memory.workers.push_back(std::make_unique<EmbreeWorker>());
     for (const auto& worker : memory.workers) {
         resize(worker->shade, settings.tile_size, settings.color, settings.aovs);
-        worker->lit.resize(world.lights.size() * samples);
+        worker->lit.resize(lights * samples);
     }
-    film.width = view.region.width;
-    film.height = view.region.height;
-    clear_unused(film, settings.color, settings.aovs);
-    resize(film, film.width, film.height, settings.color, settings.aovs, world.lights.size());
+    resize(frame.film, frame.view.region, {settings.color, settings.aovs, lights});
 }
 
 /// Moves the workers' times and counts to the statistics.
@@ -72,34 +61,36 @@ void collect(EmbreeFrameMemory& memory, int threads, BaselineStats& stats)
 
 } // namespace
 
-void render_embree(const World& world, const View& view, const Settings& settings,
-    const EmbreeTree& tree, int packet, EmbreeFrameMemory& memory, Tasks& tasks, Film& film,
-    BaselineStats& stats)
+void render_embree(const FrameContext& frame, const Settings& settings, const EmbreeRays& rays,
+    EmbreeFrameMemory& memory, BaselineStats& stats)
 {
-    prepare(world, view, settings, memory, tasks, film);
+    const World& world = frame.world;
+    const Region& region = frame.view.region;
+    prepare(frame, settings, memory);
     const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
     const std::span<const Light> lights =
         shadows ? std::span<const Light>(world.lights) : std::span<const Light>();
-    tasks.for_each(std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
-        EmbreeWorker& worker = *memory.workers[number];
-        Stopwatch lap;
-        const EmbreeTile rays = tile_of(memory.view, tree, packet, int(tile));
-        const HitTile hits = see_embree(rays, memory.hits.of(number), lights, worker.tile);
-        worker.hits += count_hits(hits);
-        worker.primary_ms += lap.lap_ms();
-        LightVisibility lit;
-        if (shadows) {
-            worker.shadow_rays +=
-                find_light_visibility_embree(rays, hits, lights, worker.tile, worker.lit.data());
-            lit = {worker.lit.data(), std::size_t(hits.size) * std::size_t(hits.size)};
-        }
-        worker.shadow_ms += lap.lap_ms();
-        shade_tile(hits, world, lit, worker.shade.targets);
-        store_tile({memory.view, view.region, view.region, 1, int(tile)}, hits, lit,
-            worker.shade.targets, film);
-        worker.shade_ms += lap.lap_ms();
-    });
-    collect(memory, tasks.threads(), stats);
+    frame.tasks.for_each(
+        std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
+            EmbreeWorker& worker = *memory.workers[number];
+            Stopwatch lap;
+            const EmbreeTile of = tile_of(memory.view, rays, int(tile));
+            const HitTile hits = see_embree(of, memory.hits.of(number), lights, worker.tile);
+            worker.hits += count_hits(hits);
+            worker.primary_ms += lap.lap_ms();
+            LightVisibility lit;
+            if (shadows) {
+                worker.shadow_rays +=
+                    find_light_visibility_embree(of, hits, lights, worker.tile, worker.lit.data());
+                lit = {worker.lit.data(), std::size_t(hits.size) * std::size_t(hits.size)};
+            }
+            worker.shadow_ms += lap.lap_ms();
+            shade_tile(hits, world, lit, worker.shade.targets);
+            store_tile({memory.view, region, region, 1, int(tile)}, hits, lit, worker.shade.targets,
+                frame.film);
+            worker.shade_ms += lap.lap_ms();
+        });
+    collect(memory, frame.tasks.threads(), stats);
 }
 
 } // namespace firsthit

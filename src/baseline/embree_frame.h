@@ -1,12 +1,13 @@
 // embree_frame.h - the cpu engine's frame, with a tree and rays in the place of rasterising.
 #pragma once
 
-#include "base/tasks.h"
-#include "cpu/frame.h"
+#include "cpu/frame_memory.h"
+#include "frame/frame_context.h"
 #include "baseline/embree_tile.h"
 #include "baseline/embree_tree.h"
 
-#include <firsthit/baseline.h>
+#include <firsthit/options/baseline_options.h>
+#include <firsthit/settings.h>
 
 #include <memory>
 #include <vector>
@@ -24,17 +25,20 @@ struct EmbreeWorker {
 
 /// Kept from frame to frame.
 struct EmbreeFrameMemory {
-    ViewMemory view; // its pencil and tiles alone
-    HitMemory hits;  // of a tile for each worker
+    TileLayout view;
+    HitMemory hits; // of a tile for each worker
     std::vector<std::unique_ptr<EmbreeWorker>> workers;
 };
 
-/// Renders the view's region into the film and adds to the statistics. `settings` and `view` are
-/// checked, view.region is filled in; one sample a pixel; Shadows::map is not known here.
-/// tree    is up to date
-/// packet  rays in a packet, 8 or 16
-void render_embree(const World& world, const View& view, const Settings& settings,
-    const EmbreeTree& tree, int packet, EmbreeFrameMemory& memory, Tasks& tasks, Film& film,
-    BaselineStats& stats);
+/// Who answers rays.
+struct EmbreeRays {
+    const EmbreeTree& tree; // up to date
+    int packet;             // rays in a packet, 8 or 16
+};
+
+/// Renders the view's region into the film and adds to the statistics. `settings` and the frame's
+/// view are checked; one sample a pixel; Shadows::map is not known here.
+void render_embree(const FrameContext& frame, const Settings& settings, const EmbreeRays& rays,
+    EmbreeFrameMemory& memory, BaselineStats& stats);
 
 } // namespace firsthit

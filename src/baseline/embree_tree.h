@@ -3,7 +3,7 @@
 
 #include "rays/embree_handles.h"
 
-#include <firsthit/baseline.h>
+#include <firsthit/options/baseline_options.h>
 #include <firsthit/scene.h>
 
 #include <embree3/rtcore.h>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "cpu/copy_rows.h"
-#include "cpu/frame.h"
+#include "cpu/frame_memory.h"
 
 namespace firsthit {
 
 /// Where a tile lies in the picture.
 struct TilePlace {
-    const ViewMemory& view;
+    const TileLayout& view;
     Region part;   // the pixels that the view's pencil covers
     Region region; // the pixels that the film covers
     int samples;   // on a pixel's side

@@ -3,49 +3,36 @@
 
 #include "base/stopwatch.h"
 #include "cpu/film_planes.h"
+#include "cpu/tile_stages.h"
 #include "film/film_size.h"
 #include "visibility/raster/raster_tile.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <optional>
 
 namespace firsthit {
 namespace {
 
-/// One pass over the picture: which rays, and what is kept of them.
-struct Pass {
-    int samples = 1; // on a pixel's side
-    bool color = true;
-    std::span<const Aov> aovs;
-    const Settings* shadows = nullptr; // how to find them; null: every light reaches everything
-    const Packing* packing = nullptr;  // of the pixels whose rays are shot; null: all
-    bool fill = false;                 // holes get the colours around them
-};
-
-/// Samples on the side of a part whose hits are kept for the lights: 100 MB, and 400 MB, so that
-/// maps are seldom made for parts.
-constexpr int kExactSide = 2048;
-constexpr int kMapSide = 4096;
-
-/// Samples on a tile's side: whole blocks and whole pixels.
-int tile_samples(int tile_size, int samples)
+/// Lays out the part's rays, tiles and memory, and has its items begun.
+/// returns  whether the part is small enough
+bool begin_part(const FramePart& part)
 {
-    const int step = std::lcm(kBlock, samples);
-    return std::min((tile_size + step - 1) / step * step, kMaxTile / step * step);
-}
-
-/// Puts the part's rays and tiles into the memory.
-void lay_out(const View& view, const Region& part, int samples, int tile_size, ViewMemory& memory)
-{
-    memory.pencil = pencil_of(view, part, samples);
-    memory.tile_size = tile_size;
-    memory.tiles_x = (memory.pencil.width + tile_size - 1) / tile_size;
-    memory.tiles_y = (memory.pencil.height + tile_size - 1) / tile_size;
-    const int longest = std::max(memory.pencil.width, memory.pencil.height);
-    memory.tile_of.resize(std::size_t(longest));
-    for (int k = 0; k < longest; ++k) memory.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
+    const FrameContext& frame = part.frame;
+    const PassPlan& pass = part.pass;
+    FrameMemory& memory = part.memory;
+    lay_out(pencil_of(frame.view, part.pixels, pass.samples), pass.tile_size, memory.view);
+    if (!part.items.start(frame.world, memory.view, frame.tasks)) return false;
+    const auto tiles = std::size_t(memory.view.tiles());
+    const std::size_t kept = pass.shadows ? tiles : std::size_t(frame.tasks.threads());
+    resize(memory.hits, pass.tile_size, kept);
+    resize(memory.holes, pass.tile_size, kept);
+    memory.hits.items = pass.keeps_items;
+    memory.hits.misses = pass.keeps_misses;
+    if (pass.shadows) {
+        memory.tiles.resize(tiles);
+        start_light_visibility(frame.world, part.plan.shadows(), tiles, memory.lit, frame.tasks);
+    }
+    return true;
 }
 
 /// The part cut in two between tiles, across its longer side.
@@ -65,169 +52,95 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
     return {first, second};
 }
 
-/// The picture's pixel that the tile's first sample is; one sample a pixel.
-std::array<int, 2> first_pixel(const ViewMemory& view, const Region& part, int tile)
+std::uint64_t tile_work(const FramePart& part, std::size_t tile)
 {
-    return {part.x + tile % view.tiles_x * view.tile_size,
-        part.y + tile / view.tiles_x * view.tile_size};
-}
-
-/// The tile's items and hits. Which triangle does each sample see, and where exactly?
-HitTile see_tile(ItemSource& items, const Region& part, const Pass& pass, FrameMemory& memory,
-    std::size_t tile, std::size_t place, std::size_t number)
-{
-    TileWorker& worker = *memory.workers[number];
-    Stopwatch lap;
-    const std::span<std::uint64_t> holes = memory.holes.of(place);
-    std::fill(holes.begin(), holes.end(), 0);
-    items.tile(memory.view, int(tile), worker.items, holes, number);
-    if (pass.packing) {
-        const auto [x, y] = first_pixel(memory.view, part, int(tile));
-        worker.missed_count += keep_lattice(pass.packing->lattice(), x, y, worker.items, holes);
-    } else {
-        worker.missed_count += count_holes(holes);
-    }
-    worker.raster_ms += lap.lap_ms();
-    const HitTile hits = resolve_tile(memory.view, worker.items, memory.hits.of(place));
-    worker.resolve_ms += lap.lap_ms();
-    worker.counts.uncertain += worker.items.counts.uncertain;
-    worker.counts.ambiguous += worker.items.counts.ambiguous;
-    worker.counts.effort.exact_calls += worker.items.counts.effort.exact_calls;
-    worker.hit_count += count_hits(hits);
-    return hits;
-}
-
-/// The tile's colours and planes, to the film.
-void finish_tile(const World& world, const HitTile& hits, const LightVisibility& lit,
-    const TilePlace& place, const Pass& pass, TileWorker& worker, Film& film)
-{
-    Stopwatch lap;
-    const ShadeTargets& targets = worker.shade.targets;
-    if (pass.packing) {
-        const auto [x, y] = first_pixel(place.view, place.part, place.tile);
-        pack(*pass.packing, x, y, hits, lit, world.lights.size(), worker.packed);
-        shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
-        store_packed(worker.packed, place, targets, world.scene->background, film);
-    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1) {
-        store_background(place, world.scene->background, film);
-    } else {
-        shade_tile(hits, world, lit, targets); // what colour is it?
-        store_tile(place, hits, lit, targets, film);
-    }
-    worker.shade_ms += lap.lap_ms();
+    const PixelRect rect = pixels_of(
+        {part.memory.view, part.pixels, part.frame.view.region, part.pass.samples, int(tile)});
+    return part.pass.samples_of({0, 0, rect.width, rect.height});
 }
 
 /// Calls body(tile, worker) for all tiles, as their items become ready.
 template <class Body>
-void for_ready_tiles(ItemSource& items, const ViewMemory& view, Tasks& tasks, const Body& body)
+void for_ready_tiles(const FramePart& part, const Body& body)
 {
-    const auto tiles = std::size_t(view.tiles());
+    const auto tiles = std::size_t(part.memory.view.tiles());
     for (std::size_t done = 0; done < tiles;) {
-        const std::size_t ready = items.wait(view);
-        tasks.for_each(
-            ready - done, [&](std::size_t k, std::size_t worker) { body(done + k, worker); });
+        const std::size_t ready = part.items.wait(part.memory.view);
+        part.frame.tasks.for_each(ready - done, [&](std::size_t k, std::size_t worker) {
+            body(done + k, worker);
+            part.frame.add(tile_work(part, done + k), worker);
+        });
         done = ready;
     }
 }
 
-/// Items, hits and colours of one part of the picture. Where shadows have to be found, all tiles'
-/// hits are kept for the lights; else each tile is finished while it is in cache.
-void render_part(const World& world, const View& view, const Region& part, const Pass& pass,
-    int tile_size, ItemSource& items, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+/// Each tile from its items to its colours while it is in cache.
+void render_tiles(const FramePart& part)
+{
+    for_ready_tiles(part, [&](std::size_t tile, std::size_t worker) {
+        const TileTurn turn{tile, worker, worker};
+        find_items(part, turn);
+        shade_and_store(part, turn, find_hits(part, turn), {});
+    });
+}
+
+/// All tiles' hits are kept until the lights' shadows on them are known.
+void render_tiles_in_shadow(const FramePart& part, Stats& stats)
+{
+    const FrameContext& frame = part.frame;
+    FrameMemory& memory = part.memory;
+    for_ready_tiles(part, [&](std::size_t tile, std::size_t worker) {
+        const TileTurn turn{tile, tile, worker};
+        find_items(part, turn);
+        memory.tiles[tile] = find_hits(part, turn);
+        add_light_visibility_hits(memory.tiles[tile], tile, memory.lit, worker);
+    });
+    Stopwatch watch;
+    find_light_visibility(frame, memory.tiles, memory.lit, part.pass.samples_of(part.pixels));
+    stats.shadow_ms += watch.lap_ms();
+    frame.tasks.for_each(memory.tiles.size(), [&](std::size_t tile, std::size_t worker) {
+        const TileTurn turn{tile, tile, worker};
+        const LightVisibility lit = light_visibility(part, turn);
+        shade_and_store(part, turn, memory.tiles[tile], lit);
+        frame.add(tile_work(part, tile), worker);
+    });
+}
+
+void render_part(const FramePart& part, Stats& stats)
 {
     Stopwatch watch;
-    lay_out(view, part, pass.samples, tile_size, memory.view);
-    const bool seen = items.start(world, view, part, pass.samples, memory.view, tasks);
+    const bool fits = begin_part(part);
     stats.setup_ms += watch.lap_ms();
-    if (!seen) {
-        for (const Region& half : halves(part, tile_size / pass.samples))
-            render_part(world, view, half, pass, tile_size, items, memory, tasks, film, stats);
+    if (!fits) {
+        const int tile_pixels = part.pass.tile_size / part.pass.samples;
+        for (const Region& half : halves(part.pixels, tile_pixels))
+            render_part({part.frame, part.plan, part.pass, part.items, part.memory, half}, stats);
         return;
     }
-    const std::size_t tiles = std::size_t(memory.view.tiles());
-    const std::size_t kept = pass.shadows ? tiles : std::size_t(tasks.threads());
-    resize(memory.hits, tile_size, kept);
-    memory.hits.misses = !pass.aovs.empty();
-    memory.hits.items =
-        memory.hits.misses || (pass.shadows && pass.shadows->shadows != Shadows::map);
-    resize(memory.holes, tile_size, kept);
-    const auto finish = [&](std::size_t tile, std::size_t place, const LightVisibility& lit,
-                            const HitTile& hits, std::size_t number) {
-        TilePlace where{memory.view, part, view.region, pass.samples, int(tile)};
-        if (pass.fill) where.holes = memory.holes.of(place);
-        finish_tile(world, hits, lit, where, pass, *memory.workers[number], film);
-        if (pass.fill) mark_holes(where, film.width, memory.holes.pixel.span());
-    };
-    if (!pass.shadows) {
-        for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
-            const HitTile hits = see_tile(items, part, pass, memory, tile, number, number);
-            finish(tile, number, {}, hits, number);
-        });
-    } else {
-        memory.tiles.resize(tiles);
-        start_light_visibility(world, *pass.shadows, tiles, memory.lit, tasks);
-        for_ready_tiles(items, memory.view, tasks, [&](std::size_t tile, std::size_t number) {
-            memory.tiles[tile] = see_tile(items, part, pass, memory, tile, tile, number);
-            add_light_visibility_hits(memory.tiles[tile], tile, memory.lit, number);
-        });
-        watch.lap_ms();
-        find_light_visibility(world, *pass.shadows, view.camera.eye, memory.tiles, memory.lit,
-            tasks); // which lights reach it?
-        stats.shadow_ms += watch.lap_ms();
-        tasks.for_each(tiles, [&](std::size_t tile, std::size_t number) {
-            TileWorker& worker = *memory.workers[number];
-            Stopwatch lap;
-            const LightVisibility lit =
-                light_visibility_of_tile(world, memory.tiles, tile, memory.lit, worker.lit);
-            worker.shadow_ms += lap.lap_ms();
-            finish(tile, tile, lit, memory.tiles[tile], number);
-        });
-    }
-    stats.in_view += memory.view.in_view_count;
-    stats.tile_entries += memory.view.entry_count;
+    if (part.pass.shadows)
+        render_tiles_in_shadow(part, stats);
+    else
+        render_tiles(part);
+    stats.in_view += part.memory.view.in_view_count;
+    stats.tile_entries += part.memory.view.entry_count;
 }
 
-/// Prepares every worker's tile memory, and the planes of the film that the pass fills.
-void prepare(const Pass& pass, int tile_size, const World& world, const View& view,
-    FrameMemory& memory, Tasks& tasks, Film& film)
+/// Prepares every worker's tile memory, and the marks of holes.
+void prepare(const FrameContext& frame, const PassPlan& pass, FrameMemory& memory)
 {
-    while (int(memory.workers.size()) < tasks.threads())
+    const std::size_t lights = frame.world.lights.size();
+    while (int(memory.workers.size()) < frame.tasks.threads())
         memory.workers.push_back(std::make_unique<TileWorker>());
     for (const auto& worker : memory.workers) {
-        resize(worker->items, tile_size);
-        resize(worker->shade, tile_size, pass.color, pass.aovs);
-        if (pass.packing) resize(worker->packed, tile_size, world.lights.size());
+        resize(worker->items, pass.tile_size);
+        resize(worker->shade, pass.tile_size, pass.color, pass.aovs);
+        if (pass.packing) resize(worker->packed, pass.tile_size, lights);
         if (pass.shadows)
-            worker->lit.resize(
-                world.lights.size() * std::size_t(tile_size) * std::size_t(tile_size));
+            worker->lit.resize(lights * std::size_t(pass.tile_size) * std::size_t(pass.tile_size));
     }
-    resize(film, view.region.width, view.region.height, pass.color, pass.aovs, world.lights.size());
+    const Region& region = frame.view.region;
     if (pass.fill)
-        memory.holes.pixel.resize(std::size_t(view.region.width) * std::size_t(view.region.height));
-}
-
-void render_pass(const World& world, const View& view, const Pass& pass, int tile_size,
-    ItemSource& items, FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
-{
-    const int tile = tile_samples(tile_size, pass.samples);
-    prepare(pass, tile, world, view, memory, tasks, film);
-    // Parts small enough for the boxes' and tiles' integers, in whole tiles.
-    int side = std::min(kMaxPencil, 255 * tile);
-    if (pass.shadows)
-        side = std::min(side, pass.shadows->shadows == Shadows::map ? kMapSide : kExactSide);
-    const int step = side / tile * tile / pass.samples;
-    const Region& all = view.region;
-    for (int y = 0; y < all.height; y += step) {
-        for (int x = 0; x < all.width; x += step) {
-            const Region part{all.x + x, all.y + y, std::min(step, all.width - x),
-                std::min(step, all.height - y)};
-            render_part(world, view, part, pass, tile, items, memory, tasks, film, stats);
-        }
-    }
-    if (!pass.fill) return;
-    Stopwatch watch;
-    stats.interpolated += interpolate_holes(memory.holes, tasks, film);
-    stats.shade_ms += watch.lap_ms();
+        memory.holes.pixel.resize(std::size_t(region.width) * std::size_t(region.height));
 }
 
 /// Moves the workers' times and counts to the statistics.
@@ -252,35 +165,33 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
 
 } // namespace
 
-void render_frame(const World& world, const View& view, const Settings& settings,
-    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats, const FrameSources& sources)
+void render_frame(const FrameContext& frame, const Settings& settings, FrameMemory& memory,
+    Stats& stats, const FrameSources& sources)
 {
+    const Region& all = frame.view.region;
+    const std::size_t lights = frame.world.lights.size();
     ItemSource& items = sources.items ? *sources.items : memory.raster;
     memory.lit.map_maker = sources.maps;
-    film.width = view.region.width;
-    film.height = view.region.height;
-    clear_unused(film, settings.color, settings.aovs);
-    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
-    // not all pixels, they are a second pass.
-    const bool together = settings.samples == 1 && settings.interleave == 1;
-    std::optional<Packing> packing;
-    if (settings.interleave > 1) packing.emplace(settings.interleave);
-    const Packing* const shot = packing ? &*packing : nullptr;
-    // Our own items have no holes.
-    const bool fill = settings.color && settings.interpolate && (shot || &items != &memory.raster);
-    const std::span<const Aov> aovs = settings.aovs;
-    const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
-    const bool lit = std::find(aovs.begin(), aovs.end(), Aov::lit) != aovs.end();
-    const auto find_shadows = [&](bool wanted) { return shadows && wanted ? &settings : nullptr; };
-    if (settings.color || together)
-        render_pass(world, view,
-            {settings.samples, settings.color, together ? aovs : std::span<const Aov>(),
-                find_shadows(settings.color || lit), shot, fill},
-            settings.tile_size, items, memory, tasks, film, stats);
-    if (!together && !aovs.empty())
-        render_pass(world, view, {1, false, aovs, find_shadows(lit)}, settings.tile_size, items,
-            memory, tasks, film, stats);
-    collect(memory, tasks.threads(), stats);
+    const FramePlan plan(settings, lights, &items == &memory.raster); // ours have no holes
+    resize(frame.film, all, {settings.color, settings.aovs, lights});
+    Stats given_up; // of a frame that was cancelled
+    collect(memory, 1, given_up);
+    frame.begin(plan.work(all));
+    for (const PassPlan& pass : plan.passes()) {
+        prepare(frame, pass, memory);
+        const int side = pass.part_side;
+        for (int y = 0; y < all.height; y += side)
+            for (int x = 0; x < all.width; x += side)
+                render_part({frame, plan, pass, items, memory,
+                                {all.x + x, all.y + y, std::min(side, all.width - x),
+                                    std::min(side, all.height - y)}},
+                    stats);
+        if (!pass.fill) continue;
+        Stopwatch watch;
+        stats.interpolated += interpolate_holes(memory.holes, frame.tasks, frame.film);
+        stats.shade_ms += watch.lap_ms();
+    }
+    collect(memory, frame.tasks.threads(), stats);
 }
 
 } // namespace firsthit

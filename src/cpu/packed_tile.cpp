@@ -67,10 +67,11 @@ void resize(PackedTile& packed, int tile_size, std::size_t lights)
     packed.covered.resize(samples / kBlockSamples);
     for (Buffer<float>* plane : {&packed.t, &packed.u, &packed.v}) plane->resize(samples);
     packed.lit_share.resize(lights * samples);
+    packed.lights = lights;
 }
 
-void pack(const Packing& packing, int x, int y, const HitTile& hits, const LightVisibility& lit,
-    std::size_t lights, PackedTile& packed)
+void pack(const Packing& packing, const std::array<int, 2>& first_pixel, const HitTile& hits,
+    const LightVisibility& lit, PackedTile& packed)
 {
     const int blocks_x = hits.size / kBlock;
     const std::size_t samples = std::size_t(hits.size) * std::size_t(hits.size);
@@ -81,7 +82,8 @@ void pack(const Packing& packing, int x, int y, const HitTile& hits, const Light
         const int first = column / packing.every() * packing.every();
         const int last = std::min(first + packing.every(), blocks_x);
         const auto first_block = std::size_t(row * blocks_x + first);
-        const Packing::Block& block = packing.at(x + first * kBlock, y + row * kBlock);
+        const Packing::Block& block =
+            packing.at(first_pixel[0] + first * kBlock, first_pixel[1] + row * kBlock);
 
         HitRun* const begin = end;
         std::uint64_t covered = 0;
@@ -103,7 +105,7 @@ void pack(const Packing& packing, int x, int y, const HitTile& hits, const Light
         copy(hits.u, packed.u.data());
         copy(hits.v, packed.v.data());
         if (lit.lit)
-            for (std::size_t l = 0; l < lights; ++l)
+            for (std::size_t l = 0; l < packed.lights; ++l)
                 copy(lit.of_light(l), packed.lit_share.data() + l * samples);
         packed.place[count] = {float(first * kBlock), float(row * kBlock), &block.place};
         packed.covered[count] = covered;

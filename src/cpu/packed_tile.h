@@ -50,15 +50,16 @@ struct PackedTile {
     Buffer<BlockPlace> place;         // (blocks)
     Buffer<std::uint64_t> covered;    // (blocks) samples with an item
     Buffer<float> t, u, v, lit_share; // (samples), lit (lights, samples)
+    std::size_t lights = 0;
 };
 
 /// Prepares a worker's memory for tiles of that size.
 void resize(PackedTile& packed, int tile_size, std::size_t lights);
 
-/// Packs a tile whose items are all on the lattice. (x, y): the picture's pixel that its first
-/// sample is. lights: of `lit`
-void pack(const Packing& packing, int x, int y, const HitTile& hits, const LightVisibility& lit,
-    std::size_t lights, PackedTile& packed);
+/// Packs a tile whose items are all on the lattice.
+/// first_pixel  the picture's pixel that the tile's first sample is: x, y
+void pack(const Packing& packing, const std::array<int, 2>& first_pixel, const HitTile& hits,
+    const LightVisibility& lit, PackedTile& packed);
 
 /// Writes the packed tile's colours to the film, and the background to all its other pixels.
 void store_packed(const PackedTile& packed, const TilePlace& place, const ShadeTargets& shaded,

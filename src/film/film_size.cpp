@@ -15,29 +15,28 @@ bool contains(std::span<const Aov> aovs, Aov wanted)
 
 } // namespace
 
-void resize(
-    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights)
+void resize(Film& film, const Region& region, const FilmPlanes& planes)
 {
-    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    film.width = region.width;
+    film.height = region.height;
+    const std::size_t pixels = std::size_t(region.width) * std::size_t(region.height);
     const auto size = [&](Plane& plane, int channels) {
         plane.channels = channels;
         resize_in_large_pages(plane.value, pixels * std::size_t(channels));
     };
-    if (color) size(film.color, 3);
-    for (const Aov aov : aovs) {
+    if (planes.color)
+        size(film.color, 3);
+    else
+        film.color.value.clear();
+    if (!contains(planes.aovs, Aov::item)) film.item.clear();
+    for (int a = 0; a < kAovCount; ++a)
+        if (!contains(planes.aovs, Aov(a))) film[Aov(a)].value.clear();
+    for (const Aov aov : planes.aovs) {
         if (aov == Aov::item)
             resize_in_large_pages(film.item, pixels);
         else
-            size(film[aov], aov == Aov::lit ? int(lights) : aov_channels(aov));
+            size(film[aov], aov == Aov::lit ? int(planes.lights) : aov_channels(aov));
     }
-}
-
-void clear_unused(Film& film, bool color, std::span<const Aov> aovs)
-{
-    if (!color) film.color.value.clear();
-    if (!contains(aovs, Aov::item)) film.item.clear();
-    for (int a = 0; a < kAovCount; ++a)
-        if (!contains(aovs, Aov(a))) film[Aov(a)].value.clear();
 }
 
 } // namespace firsthit

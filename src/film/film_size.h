@@ -2,18 +2,22 @@
 #pragma once
 
 #include <firsthit/film.h>
+#include <firsthit/view.h>
 
 #include <cstddef>
 #include <span>
 
 namespace firsthit {
 
-/// Sets the sizes of the planes that are asked for. Allocates only where the film grows.
-/// lights  number of lights of the world, which is the number of channels of the plane `lit`
-void resize(
-    Film& film, int width, int height, bool color, std::span<const Aov> aovs, std::size_t lights);
+/// What a film is to hold.
+struct FilmPlanes {
+    bool color = true;
+    std::span<const Aov> aovs;
+    std::size_t lights = 0; // of the world: the channels of the plane `lit`
+};
 
-/// Sets the size of all other planes to zero.
-void clear_unused(Film& film, bool color, std::span<const Aov> aovs);
+/// Gives the film the region's size, and the planes that are asked for theirs; empties the others.
+/// Allocates only where the film grows.
+void resize(Film& film, const Region& region, const FilmPlanes& planes);
 
 } // namespace firsthit

@@ -12,15 +12,20 @@ namespace firsthit::gl {
 
 /// What a call of render is about.
 struct GpuFrame::Job {
-    const World& world;
-    const View& view;
+    const FrameContext& context;
     const Settings& settings;
-    GpuItems& items;
-    Tasks& tasks;
-    Film& film;
+    const GpuSources& sources;
     Stats& stats;
-    const ShadowMaps* maps;
     bool shadows;
+
+    const World& world() const { return context.world; }
+    Film& film() const { return context.film; }
+};
+
+/// One pass over the picture.
+struct GpuFrame::Pass {
+    int samples; // on a pixel's side
+    bool color, planes;
 };
 
 /// A rectangle of the picture.
@@ -28,9 +33,18 @@ struct GpuFrame::Part {
     Region pixels; // of the picture
     int samples;   // on a pixel's side
     bool color, planes;
+
+    std::uint64_t sample_count() const
+    {
+        return std::uint64_t(pixels.width) * std::uint64_t(pixels.height) *
+               std::uint64_t(samples * samples);
+    }
 };
 
 namespace {
+
+/// Stages of a part: a step of the frame's progress after each, for each of its samples.
+constexpr std::uint64_t kStages = 5;
 
 HitTest hit_test(Multisample multisample)
 {
@@ -106,39 +120,44 @@ double GpuFrame::stage_ms()
 
 void GpuFrame::find_shadows(const Job& job, const SampleFrame& frame, bool stored)
 {
-    if (job.maps) {
-        shadows_.use_maps(job.world, *job.maps, frame, context_.info().max_storage_bytes);
+    if (job.sources.maps) {
+        shadows_.use_maps(job.world(), *job.sources.maps, frame, context_.info().max_storage_bytes);
         return;
     }
-    bounds_.resize(job.world.lights.size());
+    bounds_.resize(job.world().lights.size());
     passes_.find_bounds(stored, bounds_);
-    shadows_.update_maps(job.world, job.settings, scene_, frame, bounds_,
-        context_.info().max_storage_bytes, job.tasks);
+    shadows_.update_maps({job.world(), job.settings, scene_, frame, bounds_},
+        context_.info().max_storage_bytes, job.context.tasks);
 }
 
 void GpuFrame::render_part(const Job& job, const Part& part)
 {
-    const Pencil pencil = pencil_of(job.view, part.pixels, part.samples);
+    const Pencil pencil = pencil_of(job.context.view, part.pixels, part.samples);
     const SampleFrame frame = sample_frame(pencil);
+    const auto stage_done = [&](double& ms) {
+        ms += stage_ms();
+        job.context.add(part.sample_count(), 0);
+    };
     watch_.lap_ms();
 
     // Where is everything?
-    scene_.pose(job.world, pencil);
-    materials_.update(*job.world.scene, context_.info().max_storage_bytes);
-    job.stats.setup_ms += stage_ms();
+    scene_.pose(job.world(), pencil);
+    materials_.update(*job.world().scene, context_.info().max_storage_bytes);
+    stage_done(job.stats.setup_ms);
 
     // Which triangle does each sample see?
-    const ItemTexture items = job.items.draw(job.world, pencil, job.settings, scene_, job.tasks);
-    job.stats.raster_ms += stage_ms();
+    const ItemTexture items =
+        job.sources.items.draw(job.world(), pencil, job.settings, scene_, job.context.tasks);
+    stage_done(job.stats.raster_ms);
 
     // Where exactly?
-    FrameData data = frame_data(job.world, job.settings, pencil, frame, part.pixels);
+    FrameData data = frame_data(job.world(), job.settings, pencil, frame, part.pixels);
     if (!part.color) data.interleave = 1;
     passes_.start(data, {.test = hit_test(job.settings.multisample),
                             .item_channels = channels_of(items.format),
                             .shadow_maps = job.shadows,
                             .textures = scene_.has_uv(),
-                            .few_lights = job.world.lights.size() <= kFewLights});
+                            .few_lights = job.world().lights.size() <= kFewLights});
     glBindTextureUnit(kItemsUnit, items.name);
     scene_textures_.bind(scene_);
     materials_.bind();
@@ -146,17 +165,17 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     const bool stored = masked || part.planes || !part.color;
     if (masked) passes_.mask_empty();
     if (stored) passes_.find_hits(masked);
-    job.stats.resolve_ms += stage_ms();
+    stage_done(job.stats.resolve_ms);
 
     // Which lights reach it?
-    shadows_.set_lights(job.world, frame);
+    shadows_.set_lights(job.world(), frame);
     if (job.shadows) find_shadows(job, frame, stored);
-    job.stats.shadow_ms += stage_ms();
+    stage_done(job.stats.shadow_ms);
 
     // What colour is it?
     const std::size_t first =
-        std::size_t(part.pixels.y - job.view.region.y) * std::size_t(job.film.width) +
-        std::size_t(part.pixels.x - job.view.region.x);
+        std::size_t(part.pixels.y - job.context.view.region.y) * std::size_t(job.film().width) +
+        std::size_t(part.pixels.x - job.context.view.region.x);
     if (part.color) {
         passes_.shade({.stored = stored, .masked = masked});
         const bool averaged = part.samples > 1;
@@ -172,25 +191,26 @@ void GpuFrame::render_part(const Job& job, const Part& part)
         add_counts(passes_.count_hits(), 0, job.stats);
     }
     job.stats.shade_ms += stage_ms();
-    if (part.color) passes_.read_colors(&job.film.color.value[3 * first], job.film.width);
+    if (part.color) passes_.read_colors(&job.film().color.value[3 * first], job.film().width);
     if (part.planes) read_planes(job, part, stored);
+    job.context.add(part.sample_count(), 0);
 }
 
 void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
 {
-    const auto width = std::size_t(job.film.width);
-    const std::size_t first = std::size_t(part.pixels.y - job.view.region.y) * width +
-                              std::size_t(part.pixels.x - job.view.region.x);
+    const auto width = std::size_t(job.film().width);
+    const std::size_t first = std::size_t(part.pixels.y - job.context.view.region.y) * width +
+                              std::size_t(part.pixels.x - job.context.view.region.x);
     for (const Aov aov : job.settings.aovs) {
-        Plane& plane = job.film[aov];
+        Plane& plane = job.film()[aov];
         if (aov == Aov::item) {
-            passes_.read_plane(aov, stored, 0, &job.film.item[first], job.film.width);
+            passes_.read_plane(aov, stored, 0, &job.film().item[first], job.film().width);
         } else if (aov != Aov::lit) {
             const auto channels = std::size_t(aov_channels(aov));
-            passes_.read_plane(aov, stored, 0, &plane.value[channels * first], job.film.width);
+            passes_.read_plane(aov, stored, 0, &plane.value[channels * first], job.film().width);
         } else {
             // The film has the lights side by side.
-            const std::size_t lights = job.world.lights.size();
+            const std::size_t lights = job.world().lights.size();
             const auto w = std::size_t(part.pixels.width), h = std::size_t(part.pixels.height);
             plane_.resize(w * h);
             for (std::size_t light = 0; light < lights; ++light) {
@@ -203,36 +223,38 @@ void GpuFrame::read_planes(const Job& job, const Part& part, bool stored)
     }
 }
 
-void GpuFrame::render_pass(const Job& job, int samples, bool color, bool planes)
+void GpuFrame::render_pass(const Job& job, const Pass& pass)
 {
-    const int side = std::min(options_.part_side, context_.info().max_texture_size) / samples;
-    const Region& all = job.view.region;
+    const int side = std::min(options_.part_side, context_.info().max_texture_size) / pass.samples;
+    const Region& all = job.context.view.region;
     for (int y = 0; y < all.height; y += side)
         for (int x = 0; x < all.width; x += side)
             render_part(job, {.pixels = {all.x + x, all.y + y, std::min(side, all.width - x),
                                   std::min(side, all.height - y)},
-                                 .samples = samples,
-                                 .color = color,
-                                 .planes = planes});
+                                 .samples = pass.samples,
+                                 .color = pass.color,
+                                 .planes = pass.planes});
 }
 
-void GpuFrame::render(const World& world, const View& view, const Settings& settings,
-    GpuItems& items, Tasks& tasks, Film& film, Stats& stats, const ShadowMaps* maps)
+void GpuFrame::render(
+    const FrameContext& context, const Settings& settings, const GpuSources& sources, Stats& stats)
 {
-    film.width = view.region.width;
-    film.height = view.region.height;
-    clear_unused(film, settings.color, settings.aovs);
-    resize(film, film.width, film.height, settings.color, settings.aovs, world.lights.size());
-    const bool shadows = settings.shadows != Shadows::none && !world.lights.empty();
+    const std::size_t lights = context.world.lights.size();
+    const Region& region = context.view.region;
+    resize(context.film, region, {settings.color, settings.aovs, lights});
+    const bool shadows = settings.shadows != Shadows::none && lights > 0;
     const std::uint64_t updates = shadows_.updates(), uploaded = uploaded_bytes();
-    const Job job{world, view, settings, items, tasks, film, stats, maps, shadows};
+    const Job job{context, settings, sources, stats, shadows};
     // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
     // not all pixels, they are a second pass.
     const bool planes = !settings.aovs.empty();
     const bool together = settings.samples == 1 && settings.interleave == 1;
-    if (settings.color || together)
-        render_pass(job, settings.samples, settings.color, planes && together);
-    if (planes && !together) render_pass(job, 1, false, true);
+    const bool first = settings.color || together, second = planes && !together;
+    const std::uint64_t pixels = std::uint64_t(region.width) * std::uint64_t(region.height);
+    const std::uint64_t samples = std::uint64_t(settings.samples * settings.samples);
+    context.begin(kStages * pixels * ((first ? samples : 0) + (second ? 1 : 0)));
+    if (first) render_pass(job, {settings.samples, settings.color, planes && together});
+    if (second) render_pass(job, {1, false, true});
     stats.map_updates += shadows_.updates() - updates;
     stats.uploaded_bytes += uploaded_bytes() - uploaded;
     check("rendering a frame");

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "base/stopwatch.h"
-#include "base/tasks.h"
 #include "exact/pencil.h"
+#include "frame/frame_context.h"
 #include "gl/device/context.h"
 #include "gl/items/gpu_items.h"
 #include "gl/shadow/gpu_shadows.h"
@@ -15,11 +15,18 @@
 #include "gl/scene/scene_textures.h"
 
 #include <firsthit/film.h>
-#include <firsthit/render.h>
+#include <firsthit/settings.h>
+#include <firsthit/stats.h>
 
 #include <vector>
 
 namespace firsthit::gl {
+
+/// What the engine is given.
+struct GpuSources {
+    GpuItems& items; // with Multisample::exact they have to be right: no ray is tested
+    const ShadowMaps* maps = nullptr; // of the cpu engine; null: they are drawn
+};
 
 struct GpuOptions {
     bool count_invocations = false; // see SamplePasses
@@ -33,16 +40,15 @@ class GpuFrame {
     /// throws  DeviceError: see link_program
     explicit GpuFrame(const Context& context, const GpuOptions& options = {});
 
-    /// Renders the view's region into the film and adds to the statistics. `settings` and `view`
-    /// are checked (render/check_settings.h); view.region is filled in. Shadows::automatic is map.
+    /// Renders the view's region into the film and adds to the statistics. `settings` and the
+    /// frame's view are checked (render/check_settings.h). Shadows::automatic is map.
     ///
-    /// items   with Multisample::exact they have to be right: no ray is tested
-    /// maps    of the cpu engine, to be used instead of drawing them; or null
     /// limits  pictures with more samples than options.part_side on a side are made in parts; each
     ///         part looks at neighbours and fills holes inside itself
     /// throws  DeviceError: no memory, a scene or maps beyond the driver's limits, a lost context
-    void render(const World& world, const View& view, const Settings& settings, GpuItems& items,
-        Tasks& tasks, Film& film, Stats& stats, const ShadowMaps* maps = nullptr);
+    ///         Cancelled: between two passes
+    void render(const FrameContext& context, const Settings& settings, const GpuSources& sources,
+        Stats& stats);
 
     SamplePasses& passes() { return passes_; }
     const GpuShadows& shadows() const { return shadows_; }
@@ -50,7 +56,8 @@ class GpuFrame {
   private:
     struct Job;
     struct Part;
-    void render_pass(const Job& job, int samples, bool color, bool planes);
+    struct Pass;
+    void render_pass(const Job& job, const Pass& pass);
     void render_part(const Job& job, const Part& part);
     void find_shadows(const Job& job, const SampleFrame& frame, bool stored);
     void read_planes(const Job& job, const Part& part, bool stored);

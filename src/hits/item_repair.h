@@ -4,7 +4,7 @@
 #include "visibility/raster/item_tile.h"
 #include "visibility/bin/view_memory.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/multisample.h>
 
 #include <cstdint>
 #include <span>

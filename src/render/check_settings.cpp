@@ -22,7 +22,7 @@ constexpr int kMinMap = 16, kMaxMap = 8192;
 constexpr int kMaxFilter = 15;
 constexpr int kMaxChunks = 64;
 
-void check_shadows(const Settings& settings)
+void check_shadows(const ShadowOptions& settings)
 {
     const int size = settings.shadow_map_size;
     if (size != 0 && (size < kMinMap || size > kMaxMap))

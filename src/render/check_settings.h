@@ -1,7 +1,8 @@
 // check_settings.h - refuses what cannot be rendered, with what is accepted.
 #pragma once
 
-#include <firsthit/render.h>
+#include <firsthit/settings.h>
+#include <firsthit/view.h>
 
 #include <cstddef>
 

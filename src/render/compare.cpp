@@ -48,7 +48,7 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
     Settings settings;
     settings.color = false;
     settings.aovs = {Aov::item};
-    render_frame(world, filled, settings, memory, tasks, film, stats);
+    render_frame({world, filled, tasks, film}, settings, memory, stats);
 
     // The oracle takes the same eye space, made here from nothing but the whole region's pencil.
     ViewMemory eye;

@@ -82,9 +82,9 @@ void EngineComparer::Impl::render_engine(
     if (!opengl.get_deleter().is_home()) gl::refuse_after_fork();
     device = opengl->device();
     if (settings.engine == Engine::gpu)
-        opengl->render_gpu(world, view, settings, tasks, engine_film, stats);
+        opengl->render_gpu({world, view, tasks, engine_film}, settings, stats);
     else
-        opengl->render_hybrid(world, view, settings, engine_memory, tasks, engine_film, stats);
+        opengl->render_hybrid({world, view, tasks, engine_film}, settings, engine_memory, stats);
 }
 
 /// After the cpu engine's frame.
@@ -102,8 +102,8 @@ std::optional<double> EngineComparer::Impl::lend_items(
     lent.multisample = Multisample::exact; // the items are right
     const bool maps = settings.shadows == Shadows::map && !world.lights.empty();
     Stats stats;
-    opengl->render_gpu_with(cpu_film.item, maps ? &cpu_memory.lit.maps : nullptr, world, view, lent,
-        tasks, lent_film, stats);
+    opengl->render_gpu_with(cpu_film.item, maps ? &cpu_memory.lit.maps : nullptr,
+        {world, view, tasks, lent_film}, lent, stats);
     return difference(lent_film.color.value, cpu_film.color.value, tasks).square_sum;
 }
 
@@ -174,7 +174,7 @@ EngineComparison EngineComparer::compare(
         Settings cpu = settings;
         cpu.engine = Engine::cpu;
         impl.cpu_memory.lit.by_occluders = false; // its maps are lent, of all lights
-        render_frame(world, filled, cpu, impl.cpu_memory, impl.tasks, impl.cpu_film, stats);
+        render_frame({world, filled, impl.tasks, impl.cpu_film}, cpu, impl.cpu_memory, stats);
         result.square_sum_same_items = impl.lend_items(world, filled, settings);
 #ifdef FIRSTHIT_GL
     } catch (const DeviceError&) {

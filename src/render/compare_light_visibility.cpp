@@ -142,7 +142,7 @@ LitComparison compare_lit(const World& world, const View& view, Oracle oracle, i
     settings.color = false;
     settings.aovs = {Aov::item, Aov::position, Aov::lit};
     settings.shadows = Shadows::exact;
-    render_frame(world, filled, settings, memory, tasks, film, stats);
+    render_frame({world, filled, tasks, film}, settings, memory, stats);
 
     ViewMemory eye;
     eye.pencil = pencil_of(filled, filled.region, 1);

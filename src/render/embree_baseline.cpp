@@ -39,19 +39,19 @@ std::string_view baseline_update_name(BaselineUpdate update)
 #ifdef FIRSTHIT_EMBREE
 
 struct EmbreeBaseline::Impl {
-    Impl(const Scene& of, BaselineUpdate update, int threads, int asked_packet)
-        : scene(of),
+    Impl(std::shared_ptr<const Scene> of, BaselineUpdate update, int threads, int asked_packet)
+        : scene(std::move(of)),
           tasks(threads),
-          tree(of, update, tasks.threads()),
+          tree(*scene, update, tasks.threads()),
           packet(asked_packet != 0 ? asked_packet : tree.widest_packet())
     {
         if (packet != 8 && packet != 16)
             throw ArgumentError(fmt::format("Embree's packets have 8 or 16 rays, not {}", packet));
         select_instruction_set();
-        world.position.reserve(scene.vertices + 2); // Embree reads 16 bytes of a vertex
+        world.position.reserve(scene->vertices + 2); // Embree reads 16 bytes of a vertex
     }
 
-    const Scene& scene;
+    std::shared_ptr<const Scene> scene;
     Tasks tasks;
     World world;
     EmbreeTree tree;
@@ -61,8 +61,9 @@ struct EmbreeBaseline::Impl {
     double pose_ms = 0; // since the last frame
 };
 
-EmbreeBaseline::EmbreeBaseline(const Scene& scene, BaselineUpdate update, int threads, int packet)
-    : impl_(std::make_unique<Impl>(scene, update, threads, packet))
+EmbreeBaseline::EmbreeBaseline(
+    std::shared_ptr<const Scene> scene, BaselineUpdate update, int threads, int packet)
+    : impl_(std::make_unique<Impl>(std::move(scene), update, threads, packet))
 {
 }
 
@@ -99,8 +100,8 @@ void EmbreeBaseline::render(const View& view, const Settings& settings, Film& fi
     try {
         impl.stats.updated_triangles = impl.tree.update(impl.world);
         impl.stats.update_ms = watch.lap_ms();
-        render_embree(impl.world, filled, settings, impl.tree, impl.packet, impl.memory, impl.tasks,
-            film, impl.stats);
+        render_embree({impl.world, filled, impl.tasks, film}, settings, {impl.tree, impl.packet},
+            impl.memory, impl.stats);
         after_ms = watch.lap_ms();
     } catch (const std::bad_alloc&) {
         throw Error("not enough memory for a picture of this size");
@@ -132,7 +133,7 @@ std::string baseline_version()
 
 struct EmbreeBaseline::Impl {};
 
-EmbreeBaseline::EmbreeBaseline(const Scene&, BaselineUpdate, int, int)
+EmbreeBaseline::EmbreeBaseline(std::shared_ptr<const Scene>, BaselineUpdate, int, int)
 {
     throw DeviceError("this build has no Embree (FIRSTHIT_BUILD_EMBREE=OFF)");
 }

@@ -47,8 +47,7 @@ bool Engines::has_hardware()
     return false;
 }
 
-void Engines::render_by(
-    Engine engine, const World& world, const View& view, Tasks& tasks, Film& film, Stats& stats)
+void Engines::render_by(Engine engine, const FrameContext& frame, Stats& stats)
 {
     info_.engine = engine;
     info_.device.clear();
@@ -56,7 +55,7 @@ void Engines::render_by(
     if (settings_.shadows == Shadows::automatic)
         settings_.shadows = engine == Engine::cpu ? Shadows::exact : Shadows::map;
     if (engine == Engine::cpu) {
-        render_frame(world, view, settings_, memory_, tasks, film, stats);
+        render_frame(frame, settings_, memory_, stats);
         return;
     }
     try {
@@ -64,27 +63,28 @@ void Engines::render_by(
 #ifdef FIRSTHIT_GL
         info_.device = engines.device();
         if (engine == Engine::gpu)
-            engines.render_gpu(world, view, settings_, tasks, film, stats);
+            engines.render_gpu(frame, settings_, stats);
         else
-            engines.render_hybrid(world, view, settings_, memory_, tasks, film, stats);
+            engines.render_hybrid(frame, settings_, memory_, stats);
 #else
         (void)engines;
 #endif
     } catch (const ArgumentError&) {
         throw; // before anything was drawn
+    } catch (const Cancelled&) {
+        throw; // between two stages: all is as it was said to be
     } catch (...) {
         opengl_.reset(); // a lost context, or no memory: the next frame starts anew
         throw;
     }
 }
 
-void Engines::render(const World& world, const View& view, const Settings& settings, Tasks& tasks,
-    Film& film, Stats& stats)
+void Engines::render(const FrameContext& frame, const Settings& settings, Stats& stats)
 {
     settings_ = settings;
     info_.reason.clear();
     if (settings.engine != Engine::automatic) {
-        render_by(settings.engine, world, view, tasks, film, stats);
+        render_by(settings.engine, frame, stats);
         return;
     }
     if (settings.shadows == Shadows::exact) {
@@ -93,7 +93,7 @@ void Engines::render(const World& world, const View& view, const Settings& setti
         const Stats before = stats;
         try {
             info_.reason = "OpenGL runs on hardware here";
-            render_by(Engine::gpu, world, view, tasks, film, stats);
+            render_by(Engine::gpu, frame, stats);
             return;
         } catch (const DeviceError& error) {
             refusal_ = error.what();
@@ -102,7 +102,7 @@ void Engines::render(const World& world, const View& view, const Settings& setti
         }
     }
     if (settings.shadows != Shadows::exact) info_.reason = refusal_;
-    render_by(Engine::cpu, world, view, tasks, film, stats);
+    render_by(Engine::cpu, frame, stats);
 }
 
 } // namespace firsthit

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/process_owned.h"
-#include "base/tasks.h"
 #include "cpu/frame.h"
+#include "frame/frame_context.h"
 
 #include <firsthit/render.h>
 
@@ -20,11 +20,10 @@ class Engines {
     Engines();
     ~Engines();
 
-    /// Renders the frame by the engine that the settings ask for. `settings` and `view` are checked;
-    /// view.region is filled in.
-    /// throws  DeviceError: see Renderer::render
-    void render(const World& world, const View& view, const Settings& settings, Tasks& tasks,
-        Film& film, Stats& stats);
+    /// Renders the frame by the engine that the settings ask for. `settings` and the frame's view are
+    /// checked.
+    /// throws  DeviceError, Cancelled: see Renderer::render
+    void render(const FrameContext& frame, const Settings& settings, Stats& stats);
 
     /// Of the last frame.
     const EngineInfo& info() const { return info_; }
@@ -33,8 +32,7 @@ class Engines {
     /// The OpenGL engines; made now where there are none.
     OpenGlEngines& opengl();
     bool has_hardware();
-    void render_by(Engine engine, const World& world, const View& view, Tasks& tasks, Film& film,
-        Stats& stats);
+    void render_by(Engine engine, const FrameContext& frame, Stats& stats);
 
     FrameMemory memory_;
     Settings settings_; // of the frame, nothing automatic; its memory is kept

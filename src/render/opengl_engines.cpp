@@ -21,8 +21,8 @@ std::string OpenGlEngines::device() const
     return fmt::format("{}, OpenGL {}", context_.info().renderer, context_.info().version);
 }
 
-void OpenGlEngines::render_hybrid(const World& world, const View& view, const Settings& settings,
-    FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats)
+void OpenGlEngines::render_hybrid(
+    const FrameContext& frame, const Settings& settings, FrameMemory& memory, Stats& stats)
 {
     if (!scene_) {
         const gl::Current current(context_);
@@ -30,9 +30,10 @@ void OpenGlEngines::render_hybrid(const World& world, const View& view, const Se
     }
     if (!hybrid_) hybrid_.emplace(context_, *scene_);
     hybrid_->items.set(settings);
+    hybrid_->items.take_times(); // of a frame that was cancelled
     const std::uint64_t uploaded = scene_->uploaded_bytes();
-    render_frame(world, view, settings, memory, tasks, film, stats,
-        {.items = &hybrid_->items, .maps = &hybrid_->maps});
+    render_frame(
+        frame, settings, memory, stats, {.items = &hybrid_->items, .maps = &hybrid_->maps});
     const gl::HybridTimes times = hybrid_->items.take_times();
     stats.draw_ms += times.draw_ms;
     stats.transfer_ms += times.transfer_ms;
@@ -41,32 +42,31 @@ void OpenGlEngines::render_hybrid(const World& world, const View& view, const Se
     stats.uploaded_bytes += scene_->uploaded_bytes() - uploaded;
 }
 
-void OpenGlEngines::render_gpu(const World& world, const View& view, const Settings& settings,
-    Tasks& tasks, Film& film, Stats& stats)
+void OpenGlEngines::render_gpu(const FrameContext& frame, const Settings& settings, Stats& stats)
 {
     if (hybrid_) hybrid_->items.let_go();
     const gl::Current current(context_);
     if (!gpu_) gpu_.emplace(context_);
     if (settings.multisample == Multisample::exact) {
         if (!certified_items_) certified_items_.emplace(context_);
-        gpu_->render(world, view, settings, *certified_items_, tasks, film, stats);
+        certified_items_->take_uncertain(); // of a frame that was cancelled
+        gpu_->render(frame, settings, {*certified_items_}, stats);
         stats.uncertain_samples += certified_items_->take_uncertain();
     } else {
         if (!drawn_items_) drawn_items_.emplace(context_);
-        gpu_->render(world, view, settings, *drawn_items_, tasks, film, stats);
+        gpu_->render(frame, settings, {*drawn_items_}, stats);
     }
 }
 
 void OpenGlEngines::render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
-    const World& world, const View& view, const Settings& settings, Tasks& tasks, Film& film,
-    Stats& stats)
+    const FrameContext& frame, const Settings& settings, Stats& stats)
 {
     if (hybrid_) hybrid_->items.let_go();
     const gl::Current current(context_);
     if (!gpu_) gpu_.emplace(context_);
     if (!given_items_) given_items_.emplace();
     given_items_->set(items);
-    gpu_->render(world, view, settings, *given_items_, tasks, film, stats, maps);
+    gpu_->render(frame, settings, {*given_items_, maps}, stats);
 }
 
 } // namespace firsthit

@@ -1,8 +1,8 @@
 // opengl_engines.h - the engines that run on OpenGL, and what they keep from frame to frame.
 #pragma once
 
-#include "base/tasks.h"
 #include "cpu/frame.h"
+#include "frame/frame_context.h"
 #include "gl/items/certified_gpu_items.h"
 #include "gl/device/context.h"
 #include "gl/items/drawn_items.h"
@@ -11,7 +11,8 @@
 #include "gl/items/hybrid_items.h"
 #include "gl/shadow/hybrid_maps.h"
 
-#include <firsthit/render.h>
+#include <firsthit/settings.h>
+#include <firsthit/stats.h>
 
 #include <cstdint>
 #include <optional>
@@ -32,20 +33,18 @@ class OpenGlEngines {
     std::string device() const;
 
     /// The cpu engine's frame (cpu/frame.h) with items and shadow maps of OpenGL.
-    void render_hybrid(const World& world, const View& view, const Settings& settings,
-        FrameMemory& memory, Tasks& tasks, Film& film, Stats& stats);
+    void render_hybrid(
+        const FrameContext& frame, const Settings& settings, FrameMemory& memory, Stats& stats);
 
     /// gl/gpu_frame.h
-    void render_gpu(const World& world, const View& view, const Settings& settings, Tasks& tasks,
-        Film& film, Stats& stats);
+    void render_gpu(const FrameContext& frame, const Settings& settings, Stats& stats);
 
     /// The same with items and maps of the cpu engine, for pictures that are made at once: their
     /// sides have at most gl::GpuOptions::part_side samples.
     /// items  (height, width) of the samples of the view's region
     /// maps   null: they are drawn
     void render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
-        const World& world, const View& view, const Settings& settings, Tasks& tasks, Film& film,
-        Stats& stats);
+        const FrameContext& frame, const Settings& settings, Stats& stats);
 
   private:
     /// The members make the context current by themselves. Items go first: where a frame was given

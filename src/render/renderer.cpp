@@ -6,6 +6,7 @@
 #include "render/engines.h"
 #include "scene/model/check_light.h"
 #include "scene/animate/pose.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/error.h>
 #include <firsthit/render.h>
@@ -18,7 +19,8 @@ namespace firsthit {
 struct Renderer::Impl {
     explicit Impl(int threads) : tasks(threads) { select_instruction_set(); }
 
-    void frame(const World& world, const View& view, const Settings& settings, Film& film)
+    void frame(const World& world, const View& view, const Settings& settings, Film& film,
+        const FrameControl& control)
     {
         check(settings, world.lights.size());
         check_lights(world);
@@ -26,7 +28,10 @@ struct Renderer::Impl {
         stats.vertices = world.position.size();
         stats.triangles = world.scene->triangle_count();
         try {
-            engines.render(world, filled, settings, tasks, film, stats);
+            FrameProgress progress(control);
+            progress.check();
+            engines.render({world, filled, tasks, film, &progress}, settings, stats);
+            progress.finish();
         } catch (const std::bad_alloc&) {
             throw Error("not enough memory for a picture of this size");
         }
@@ -45,23 +50,25 @@ Renderer::~Renderer() = default;
 void Renderer::render(
     const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film)
 {
-    pose(scene, time_s, impl_->posed);
+    // The world is looked at during the call only.
+    pose(borrow(scene), time_s, impl_->posed);
     render(impl_->posed, view, settings, film);
 }
 
-void Renderer::pose(const Scene& scene, double time_s, World& world)
+void Renderer::pose(std::shared_ptr<const Scene> scene, double time_s, World& world)
 {
     Stopwatch watch;
-    firsthit::pose(scene, time_s, world, impl_->tasks);
+    firsthit::pose(std::move(scene), time_s, world, impl_->tasks);
     impl_->pose_ms += watch.lap_ms();
 }
 
-void Renderer::render(const World& world, const View& view, const Settings& settings, Film& film)
+void Renderer::render(const World& world, const View& view, const Settings& settings, Film& film,
+    const FrameControl& control)
 {
     Stopwatch watch;
     impl_->stats = {};
     impl_->stats.pose_ms = std::exchange(impl_->pose_ms, 0);
-    impl_->frame(world, view, settings, film);
+    impl_->frame(world, view, settings, film, control);
     impl_->stats.total_ms = impl_->stats.pose_ms + watch.lap_ms();
 }
 

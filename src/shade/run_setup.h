@@ -34,7 +34,7 @@ struct ShadeArrays {
 inline ShadeArrays shade_arrays(const World& world)
 {
     const std::size_t vertices = world.position.size();
-    ShadeArrays arrays{.scene = world.scene, .position = world.position.data()};
+    ShadeArrays arrays{.scene = world.scene.get(), .position = world.position.data()};
     if (world.normal.size() >= vertices) arrays.normal = world.normal.data();
     if (world.scene->uv.size() >= vertices) arrays.uv = world.scene->uv.data();
     return arrays;

@@ -27,15 +27,16 @@ void find_dark_lights(const World& world, const glm::dvec3& eye, std::span<const
 
 } // namespace
 
-void start_light_visibility(const World& world, const Settings& settings, std::size_t tiles,
+void start_light_visibility(const World& world, const ShadowOptions& options, std::size_t tiles,
     LightVisibilityMemory& memory, Tasks& tasks)
 {
-    memory.technique = settings.shadows == Shadows::map ? Shadows::map : Shadows::exact;
+    memory.technique = options.shadows == Shadows::map ? Shadows::map : Shadows::exact;
+    memory.options = options;
     memory.dark.assign(world.lights.size(), 0);
     // With a bias from the settings a map may show no shadow behind an occluder, so that culling
     // would change the picture.
     const bool by_map = memory.technique == Shadows::map;
-    if (memory.by_occluders && !(by_map && settings.shadow_bias >= 0))
+    if (memory.by_occluders && !(by_map && options.shadow_bias >= 0))
         start_tile_occlusion(world, tiles, memory.tile_occlusion, tasks);
     else
         memory.tile_occlusion.occluders.resize(0);
@@ -51,17 +52,20 @@ void add_light_visibility_hits(
         add_hits(hits, memory.maps, worker);
 }
 
-void find_light_visibility(const World& world, const Settings& settings, const glm::dvec3& eye,
-    std::span<const HitTile> tiles, LightVisibilityMemory& memory, Tasks& tasks)
+void find_light_visibility(const FrameContext& frame, std::span<const HitTile> tiles,
+    LightVisibilityMemory& memory, std::uint64_t work)
 {
+    const World& world = frame.world;
+    const glm::dvec3& eye = frame.view.camera.eye;
+    const StageProgress progress{frame.progress, work};
     const bool occluders = memory.tile_occlusion.has_occluders();
     if (memory.technique == Shadows::exact) {
-        test_exact_shadows(world, eye, tiles, memory.exact, tasks, memory.bits,
-            occluders ? &memory.tile_occlusion : nullptr);
+        test_exact_shadows({world, eye, tiles, occluders ? &memory.tile_occlusion : nullptr},
+            memory.exact, frame.tasks, memory.bits, progress);
         return;
     }
-    if (occluders) find_dark_lights(world, eye, tiles, memory, tasks);
-    update_maps(world, settings, memory.maps, tasks, memory.map_maker);
+    if (occluders) find_dark_lights(world, eye, tiles, memory, frame.tasks);
+    update_maps(world, memory.options, memory.maps, frame.tasks, {memory.map_maker, progress});
 }
 
 LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,

@@ -2,14 +2,15 @@
 // technique that the settings ask for.
 #pragma once
 
-#include "base/tasks.h"
+#include "frame/frame_context.h"
 #include "hits/hit_tile.h"
 #include "hits/light_visibility.h"
 #include "shadow/exact/exact_shadows.h"
 #include "shadow/map/shadow_map.h"
 #include "shadow/exact/tile_occlusion.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/shadow_options.h>
+#include <firsthit/stats.h>
 
 #include <cstdint>
 #include <span>
@@ -20,6 +21,7 @@ namespace firsthit {
 /// Kept from frame to frame.
 struct LightVisibilityMemory {
     Shadows technique = Shadows::exact; // never none
+    ShadowOptions options;              // of the maps
     bool by_occluders = true; // look for tiles behind occluders first; not where the maps are lent
     TileOcclusion tile_occlusion;
     std::vector<std::uint8_t> dark; // (lights) no hit is reached; of the maps
@@ -30,7 +32,7 @@ struct LightVisibilityMemory {
 };
 
 /// Begins a picture part.
-void start_light_visibility(const World& world, const Settings& settings, std::size_t tiles,
+void start_light_visibility(const World& world, const ShadowOptions& options, std::size_t tiles,
     LightVisibilityMemory& memory, Tasks& tasks);
 
 /// Records a tile's hits while they are in cache. Calls with different workers may run at the same
@@ -39,9 +41,10 @@ void add_light_visibility_hits(
     const HitTile& hits, std::size_t tile, LightVisibilityMemory& memory, std::size_t worker);
 
 /// Once all tiles' hits are known: finds the shadows, or makes the maps that show them.
-/// eye, tiles  see test_exact_shadows
-void find_light_visibility(const World& world, const Settings& settings, const glm::dvec3& eye,
-    std::span<const HitTile> tiles, LightVisibilityMemory& memory, Tasks& tasks);
+/// tiles  see test_exact_shadows
+/// work   that this is of the frame
+void find_light_visibility(const FrameContext& frame, std::span<const HitTile> tiles,
+    LightVisibilityMemory& memory, std::uint64_t work);
 
 /// The light visibility of a tile's samples. The result points into `room`.
 LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,

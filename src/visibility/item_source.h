@@ -6,7 +6,6 @@
 #include "visibility/bin/view_memory.h"
 
 #include <firsthit/scene.h>
-#include <firsthit/view.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,8 +23,7 @@ class ItemSource {
 
     /// Begins the part. memory.pencil and the tiles' numbers are set; fills memory.corner, and
     /// whatever else tile() needs. False where the part is too large: the caller halves it.
-    virtual bool start(const World& world, const View& view, const Region& part, int samples,
-        ViewMemory& memory, Tasks& tasks) = 0;
+    virtual bool start(const World& world, ViewMemory& memory, Tasks& tasks) = 0;
 
     /// The part's tiles become ready in groups of whole rows of tiles: waits for the next group and
     /// returns the number of tiles that are ready now, all tiles in the end. Called by the thread

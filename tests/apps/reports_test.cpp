@@ -3,6 +3,7 @@
 #include "engine_report.h"
 #include "info_command.h"
 #include "common/progress.h"
+#include "scene/model/borrow.h"
 #include "stats_report.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +91,7 @@ TEST(InfoReport, CountsLightsByKind)
     scene.lights[1].kind = Light::Kind::spot;
     scene.lights[3].kind = Light::Kind::spot;
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     const Json info = describe(scene, world, "torus");
     EXPECT_EQ(info["lights"], 4);
     EXPECT_EQ(info["light_kinds"].dump(), R"({"point":2,"spot":2,"directional":0})");

@@ -1,6 +1,7 @@
 // embree_baseline_test.cpp - the frame by Embree is the cpu engine's with exact shadows, but for a few pixels.
 #include "lights.h"
 #include "message_of.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -138,7 +139,7 @@ TEST_F(EmbreeBaselineTest, MakesTheCpuEnginesPicturesAndPlanes)
         const Scene scene = load_scene(name);
         for (const BaselineUpdate update : kBaselineUpdates)
             for (const int packet : {8, 16}) {
-                EmbreeBaseline baseline(scene, update, 1, packet);
+                EmbreeBaseline baseline(borrow(scene), update, 1, packet);
                 const View view = view_of(scene, baseline.pose(time_s));
                 Film film;
                 baseline.render(view, settings(), film);
@@ -160,7 +161,7 @@ TEST_F(EmbreeBaselineTest, KnowsEveryKindOfLightAndManyOfThem)
         directional_light({-1, -2, -0.5}), point_light({-3, 2, 1})};
     for (int k = 0; k < 17; ++k) scene.lights.push_back(point_light({0.3 * k - 2, 3, 2}));
     for (const int packet : {8, 16}) {
-        EmbreeBaseline baseline(scene, BaselineUpdate::refit, 1, packet);
+        EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit, 1, packet);
         const View view = view_of(scene, baseline.pose(0));
         Film film;
         baseline.render(view, settings(), film);
@@ -181,7 +182,7 @@ TEST_F(EmbreeBaselineTest, AWrongLightIsNoticed)
     const Scene scene = load_scene("builtin:torus");
     Scene wrong = scene;
     wrong.lights.at(0).position += glm::dvec3(0.3, 0, 0);
-    EmbreeBaseline baseline(wrong, BaselineUpdate::refit, 1);
+    EmbreeBaseline baseline(borrow(wrong), BaselineUpdate::refit, 1);
     const View view = view_of(scene, baseline.pose(0));
     Film film;
     baseline.render(view, settings(), film);
@@ -195,7 +196,7 @@ TEST_F(EmbreeBaselineTest, FollowsWhatMovesFromFrameToFrame)
     for (const char* const name : {"builtin:wave?n=3000", "builtin:robots"}) {
         const Scene scene = load_scene(name);
         for (const BaselineUpdate update : kBaselineUpdates) {
-            EmbreeBaseline baseline(scene, update, 1);
+            EmbreeBaseline baseline(borrow(scene), update, 1);
             Film film, before;
             const View view = view_of(scene, baseline.pose(0));
             baseline.render(view, settings(), before);
@@ -215,7 +216,7 @@ TEST_F(EmbreeBaselineTest, PicturesMayEndInsideOfATileAndBeRegions)
 {
     const Scene scene = load_scene("builtin:robots");
     for (const int packet : {8, 16}) {
-        EmbreeBaseline baseline(scene, BaselineUpdate::refit, 1, packet);
+        EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit, 1, packet);
         View view = view_of(scene, baseline.pose(1), 101, 67);
         Film film;
         baseline.render(view, settings(), film);
@@ -230,7 +231,8 @@ TEST_F(EmbreeBaselineTest, PicturesMayEndInsideOfATileAndBeRegions)
 TEST_F(EmbreeBaselineTest, ThreadsDoNotChangeThePicture)
 {
     const Scene scene = load_scene("builtin:robots");
-    EmbreeBaseline one(scene, BaselineUpdate::refit, 1), two(scene, BaselineUpdate::refit, 2);
+    EmbreeBaseline one(borrow(scene), BaselineUpdate::refit, 1),
+        two(borrow(scene), BaselineUpdate::refit, 2);
     const View view = view_of(scene, one.pose(1));
     two.pose(1);
     Film a, b;
@@ -243,7 +245,7 @@ TEST_F(EmbreeBaselineTest, ThreadsDoNotChangeThePicture)
 TEST_F(EmbreeBaselineTest, WithoutShadowsEveryLightReachesEverything)
 {
     const Scene scene = load_scene("builtin:torus");
-    EmbreeBaseline baseline(scene, BaselineUpdate::refit, 1);
+    EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit, 1);
     const View view = view_of(scene, baseline.pose(0));
     Settings none = settings();
     none.shadows = Shadows::none;
@@ -257,7 +259,7 @@ TEST_F(EmbreeBaselineTest, WithoutShadowsEveryLightReachesEverything)
 TEST_F(EmbreeBaselineTest, UpdatesWhatHasMovedOrIsAssumedToHaveMoved)
 {
     const Scene still = load_scene("builtin:torus"), robots = load_scene("builtin:robots");
-    EmbreeBaseline torus(still, BaselineUpdate::refit, 1);
+    EmbreeBaseline torus(borrow(still), BaselineUpdate::refit, 1);
     const auto updated = [](EmbreeBaseline& baseline, double time_s) {
         View view;
         view.width = view.height = 8;
@@ -271,8 +273,8 @@ TEST_F(EmbreeBaselineTest, UpdatesWhatHasMovedOrIsAssumedToHaveMoved)
     torus.assume_moved();
     EXPECT_EQ(updated(torus, 1), still.triangle_count());
     // Robots walk; the floor does not.
-    EmbreeBaseline whole(robots, BaselineUpdate::refit, 1),
-        parts(robots, BaselineUpdate::refit_parts, 1);
+    EmbreeBaseline whole(borrow(robots), BaselineUpdate::refit, 1),
+        parts(borrow(robots), BaselineUpdate::refit_parts, 1);
     for (EmbreeBaseline* baseline : {&whole, &parts}) updated(*baseline, 1);
     EXPECT_EQ(updated(whole, 1.1), robots.triangle_count());
     EXPECT_GT(updated(parts, 1.1), 0u);
@@ -283,7 +285,7 @@ TEST_F(EmbreeBaselineTest, AnEmptySceneIsItsBackground)
 {
     Scene scene = scene_from_arrays({}, {});
     scene.background = {0.25f, 0.5f, 1};
-    EmbreeBaseline baseline(scene, BaselineUpdate::refit_parts, 1);
+    EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit_parts, 1);
     View view;
     view.width = view.height = 20;
     Film film;
@@ -297,10 +299,10 @@ TEST_F(EmbreeBaselineTest, RefusesWhatItDoesNotMake)
 {
     const Scene scene = load_scene("builtin:torus");
     EXPECT_NE(message_of<ArgumentError>([&] {
-        EmbreeBaseline(scene, BaselineUpdate::refit, 1, 4);
+        EmbreeBaseline(borrow(scene), BaselineUpdate::refit, 1, 4);
     }).find("8 or 16 rays, not 4"),
         std::string::npos);
-    EmbreeBaseline baseline(scene, BaselineUpdate::refit, 1);
+    EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit, 1);
     Film film;
     const auto refusal = [&](auto change) {
         Settings asked;
@@ -321,7 +323,7 @@ TEST(EmbreeBaseline, IsADeviceErrorWhereTheBuildHasNone)
     if (!baseline_version().empty()) GTEST_SKIP() << "this build has " << baseline_version();
     const Scene scene = load_scene("builtin:torus");
     EXPECT_NE(message_of<DeviceError>([&] {
-        EmbreeBaseline(scene, BaselineUpdate::refit);
+        EmbreeBaseline(borrow(scene), BaselineUpdate::refit);
     }).find("FIRSTHIT_BUILD_EMBREE=OFF"),
         std::string::npos);
 }

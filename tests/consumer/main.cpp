@@ -6,9 +6,8 @@
 
 int main()
 {
-    const firsthit::Scene scene = firsthit::load_scene("builtin:torus");
     firsthit::World world;
-    firsthit::pose(scene, 0.0, world);
+    firsthit::pose(firsthit::load_scene("builtin:torus"), 0.0, world);
 
     firsthit::View view;
     view.camera = firsthit::framing_camera(world);

@@ -3,6 +3,7 @@
 
 #include "film/film_size.h"
 #include "items.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/render.h>
@@ -35,11 +36,9 @@ TEST(FilmPlanes, LightGoesToThePixelsOfTheTileThatHaveAnItem)
     hits.t = hits.u = hits.v = zero;
 
     Film film;
-    film.width = 14;
-    film.height = 5;
     const Aov aovs[] = {Aov::lit};
-    resize(film, film.width, film.height, false, aovs, kLights);
     const Region all{0, 0, 14, 5};
+    resize(film, all, {false, aovs, kLights});
     store_tile({view, all, all, 1, 1}, hits, {lit, kSamples}, {}, film);
 
     for (int y = 0; y < 5; ++y)
@@ -57,7 +56,7 @@ TEST(FilmPlanes, ColourIsTheSameWhetherOrNotThereAreOtherPlanes)
     // Other planes need hits of blocks and tiles without an item as well.
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     ASSERT_FALSE(world.lights.empty());
     View view{.camera = framing_camera(world), .width = 203, .height = 150, .region = {}};
     for (const Shadows shadows : {Shadows::none, Shadows::map, Shadows::exact}) {

@@ -2,6 +2,7 @@
 #include "cpu/holes.h"
 #include "film/fill_holes.h"
 #include "items.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/scene.h>
 
@@ -16,10 +17,9 @@ class HoledSource final : public ItemSource {
     using IsHole = std::function<bool(int x, int y)>; // sample of the part
     explicit HoledSource(IsHole is_hole) : is_hole_(std::move(is_hole)) {}
 
-    bool start(const World& world, const View& view, const Region& part, int samples,
-        ViewMemory& memory, Tasks& tasks) override
+    bool start(const World& world, ViewMemory& memory, Tasks& tasks) override
     {
-        return ours_.start(world, view, part, samples, memory, tasks);
+        return ours_.start(world, memory, tasks);
     }
     std::size_t wait(const ViewMemory& memory) override { return ours_.wait(memory); }
     void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
@@ -50,7 +50,7 @@ struct Robots {
 
     Robots()
     {
-        pose(scene, 1.5, world);
+        pose(borrow(scene), 1.5, world);
         view.width = 101, view.height = 67;
         view.camera = world.camera;
     }
@@ -60,7 +60,8 @@ struct Robots {
         Tasks tasks(threads);
         FrameMemory memory;
         Rendered out;
-        render_frame(world, checked(view), settings, memory, tasks, out.film, out.stats, {source});
+        const View filled = checked(view);
+        render_frame({world, filled, tasks, out.film}, settings, memory, out.stats, {source});
         return out;
     }
 

@@ -105,7 +105,7 @@ TEST(FrameMemoryOfItems, CarriesNothingFromFrameToFrame)
         world.finish();
         Film film;
         Stats stats;
-        render_frame(world.world, view, settings, memory, tasks, film, stats);
+        render_frame({world.world, view, tasks, film}, settings, memory, stats);
         EXPECT_EQ(film.item, brute_items(world.world, view)) << z;
         EXPECT_EQ(film.item[kSize * kSize / 2], z < 4 ? 1u : 0u);
     }

@@ -68,11 +68,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 return firsthit::Texture(name, firsthit::Picture{1, 1, {0}});
             }};
     try {
-        const firsthit::Scene scene = firsthit::parse_aff(
-            "main", inputs[0], files, {.sphere_segments = 4, .cone_segments = 4});
-        check(scene);
+        const auto scene = std::make_shared<const firsthit::Scene>(firsthit::parse_aff(
+            "main", inputs[0], files, {.sphere_segments = 4, .cone_segments = 4}));
+        check(*scene);
         firsthit::World world;
-        for (const double time_s : {scene.begin_s, 0.5, scene.end_s})
+        for (const double time_s : {scene->begin_s, 0.5, scene->end_s})
             firsthit::pose(scene, time_s, world);
     } catch (const firsthit::Error& error) {
         require(*error.what() != '\0');

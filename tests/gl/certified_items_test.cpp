@@ -4,6 +4,7 @@
 #include "../cpu/adversarial_scenes.h"
 #include "gl_context.h"
 #include "items.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 #include "visibility/lazy_items.h"
 
@@ -65,7 +66,7 @@ void expect_scene(const gl::Context& context, const std::string& name, double ti
 {
     const Scene scene = load_scene(name);
     World world;
-    pose(scene, time, world);
+    pose(borrow(scene), time, world);
     const Counts counts = count(context, world, {world.camera, 512, 512, {}});
     EXPECT_EQ(counts.wrong, 0u);
     EXPECT_EQ(counts.wrong_after, 0u);

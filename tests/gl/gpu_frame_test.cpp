@@ -146,7 +146,7 @@ TEST_F(GpuFrame, DrawsItemsInEveryFormat)
         for (const DepthFormat depth : {DepthFormat::float32, DepthFormat::fixed24}) {
             settings.opengl.item_format = format;
             settings.opengl.depth_format = depth;
-            frame.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+            render_gpu(frame, gpu_film, {drawn});
             test::keep(gpu_film, "robots_drawn");
             // A few pixels at edges have other triangles.
             EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35)
@@ -174,8 +174,8 @@ TEST_F(GpuFrame, MakesLargePicturesInParts)
     settings.multisample = Multisample::lazy3;
     gl::GpuFrame whole(*context), parts(*context, {.part_side = 130});
     gl::DrawnItems drawn(*context);
-    whole.render(world, checked(view), settings, drawn, tasks, cpu_film, stats);
-    parts.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+    render_gpu(whole, cpu_film, {drawn});
+    render_gpu(parts, gpu_film, {drawn});
     // Edges are snapped relative to the part.
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), 40);
 }
@@ -206,7 +206,7 @@ TEST_F(GpuFrame, ShowsTheBackgroundOfAnEmptyScene)
         settings.opengl.passes = passes;
         gl::GpuFrame frame(*context);
         gl::DrawnItems drawn(*context);
-        frame.render(world, checked(view), settings, drawn, tasks, gpu_film, stats);
+        render_gpu(frame, gpu_film, {drawn});
         for (std::size_t k = 0; k < gpu_film.color.value.size(); ++k)
             ASSERT_EQ(gpu_film.color.value[k], scene.background[int(k % 3)]);
     }

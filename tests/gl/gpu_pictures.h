@@ -6,6 +6,7 @@
 #include "gl/gl_context.h"
 #include "gl/gpu_frame.h"
 #include "render/check_settings.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -29,7 +30,8 @@ struct CpuPicture {
     CpuPicture(const World& world, const View& view, const Settings& settings)
     {
         Tasks tasks(2);
-        render_frame(world, checked(view), settings, memory, tasks, film, stats);
+        const View filled = checked(view);
+        render_frame({world, filled, tasks, film}, settings, memory, stats);
     }
 };
 
@@ -89,7 +91,7 @@ class OnGpu : public OnContext {
     }
     void pose_at(double time_s)
     {
-        pose(scene, time_s, world);
+        pose(borrow(scene), time_s, world);
         view.camera = scene.camera ? world.camera : framing_camera(world);
     }
 
@@ -102,7 +104,14 @@ class OnGpu : public OnContext {
         gl::GivenItems items;
         items.set(changed);
         stats = {};
-        frame.render(world, checked(view), settings, items, tasks, gpu_film, stats, maps);
+        render_gpu(frame, gpu_film, {items, maps});
+    }
+
+    /// With whatever items and maps.
+    void render_gpu(gl::GpuFrame& frame, Film& film, const gl::GpuSources& sources)
+    {
+        const View filled = checked(view);
+        frame.render({world, filled, tasks, film}, settings, sources, stats);
     }
 
     /// With the same items and maps.

@@ -5,6 +5,7 @@
 #include "gl_context.h"
 #include "items.h"
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 namespace firsthit {
@@ -41,7 +42,8 @@ class Hybrid : public test::OnContext {
         Tasks tasks(threads);
         Film film;
         Stats stats;
-        render_frame(world, checked(view), settings, memory, tasks, film, stats, {items.get()});
+        const View filled = checked(view);
+        render_frame({world, filled, tasks, film}, settings, memory, stats, {items.get()});
         return film.item;
     }
 
@@ -80,7 +82,7 @@ TEST_F(Hybrid, RepairedItemsAreNearlyTheCpuEngines)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     const View view = view_of(world, 512);
     const std::vector<std::uint32_t> expected = test::items_of(world, view, 2);
     const std::size_t none =
@@ -95,7 +97,7 @@ TEST_F(Hybrid, ChunksAndTransfersGiveTheSameItems)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     const View view = view_of(world, 333);
     for (const Multisample mode : {Multisample::none, Multisample::lazy5, Multisample::full3}) {
         const auto whole = render(world, view, with(mode, Readback::sync));
@@ -109,7 +111,7 @@ TEST_F(Hybrid, FormatsGiveTheSameItems)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     const View view = view_of(world, 200);
     Settings settings = with(Multisample::lazy3, Readback::async);
     const auto expected = render(world, view, settings);
@@ -126,7 +128,7 @@ TEST_F(Hybrid, RegionsAreDrawnAsPicturesOfTheirOwn)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     View view = view_of(world, 300);
     view.region = {20, 35, 211, 133};
     const Settings settings = with(Multisample::lazy3, Readback::async);
@@ -140,7 +142,7 @@ TEST_F(Hybrid, FollowsTheSceneFromFrameToFrame)
     const Scene scene = load_scene("builtin:wave?n=5000");
     World world;
     for (const double time : {0.0, 0.4, 0.8}) {
-        pose(scene, time, world);
+        pose(borrow(scene), time, world);
         const View view = view_of(world, 128);
         const auto expected = test::items_of(world, view);
         EXPECT_LT(double(differing(
@@ -163,7 +165,7 @@ TEST_F(Hybrid, ErrorsOfTheDriversThreadArriveAndTheNextFrameWorks)
     Scene vast;
     vast.vertices = std::size_t(context->info().max_storage_bytes) / 16 + 1;
     World world;
-    world.scene = &vast;
+    world.scene = borrow(vast);
     View view = test::straight_view(64, 64, 64);
     for (const Readback readback : {Readback::async, Readback::sync}) {
         const std::string message = message_of<DeviceError>(
@@ -180,7 +182,7 @@ TEST_F(Hybrid, ManyFramesLeaveNoObjects)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     const View view = view_of(world, 64);
     render(world, view, with(Multisample::lazy3, Readback::async));
     const std::int64_t alive = gl::gl_objects_alive();

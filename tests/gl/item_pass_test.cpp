@@ -5,6 +5,7 @@
 #include "gl_context.h"
 #include "items.h"
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <random>
@@ -67,7 +68,7 @@ class ItemFormats : public test::OnContext, public testing::WithParamInterface<F
     {
         const Scene scene = load_scene(name);
         World world;
-        pose(scene, time, world);
+        pose(borrow(scene), time, world);
         EXPECT_LT(wrong_share(*context, world, view_of(world), GetParam()), kWrongShare);
     }
 };
@@ -164,7 +165,7 @@ TEST_F(ItemPass, DrawsPartsOfAPictureAsTheWhole)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     View view = view_of(world);
     const std::vector<std::uint32_t> whole = draw(*context, world, view, {});
     view.region = {130, 97, 301, 211};
@@ -182,7 +183,7 @@ TEST_F(ItemPass, ChunksAreTheWholePicture)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     View view = view_of(world);
     view.region = {3, 5, 257, 131}; // no multiple of anything
     const std::vector<std::uint32_t> whole = draw(*context, world, view, {});
@@ -196,7 +197,7 @@ TEST_F(ItemPass, TwoDrawsGiveTheSamePicture)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     EXPECT_EQ(draw(*context, world, view_of(world), {}), draw(*context, world, view_of(world), {}));
 }
 

@@ -3,6 +3,7 @@
 
 #include "gl_context.h"
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 #include "visibility/bin/project.h"
 
@@ -67,7 +68,7 @@ TEST_F(SceneBuffers, PosesRigidPartsAsTheCpuDoes)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     buffers.pose(world, pencil_at(world));
     expect_posed(buffers, world, pencil_at(world));
@@ -79,7 +80,7 @@ TEST_F(SceneBuffers, PosesPartsThatDeform)
     World world;
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     for (const double time : {0.0, 0.3, 0.6, 0.9}) { // around the ring
-        pose(scene, time, world);
+        pose(borrow(scene), time, world);
         buffers.pose(world, pencil_at(world));
         expect_posed(buffers, world, pencil_at(world));
     }
@@ -127,7 +128,7 @@ TEST_F(SceneBuffers, PosesRigidPartsAmongOnesThatMorphAndDeform)
     World world;
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     for (const double time : {0.25, 0.5, 0.75}) {
-        pose(scene, time, world);
+        pose(borrow(scene), time, world);
         const std::uint64_t before = buffers.uploaded_bytes();
         buffers.pose(world, pencil_at(world));
         expect_posed(buffers, world, pencil_at(world));
@@ -142,7 +143,7 @@ TEST_F(SceneBuffers, PoseAgainForAnotherEyeWithoutAnUpload)
 {
     const Scene scene = load_scene("builtin:wave?n=2000");
     World world;
-    pose(scene, 0.5, world);
+    pose(borrow(scene), 0.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     buffers.pose(world, pencil_at(world));
     const std::uint64_t bytes = buffers.uploaded_bytes();
@@ -156,7 +157,7 @@ TEST_F(SceneBuffers, LentEyeSpaceHasTheSameBits)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::items);
     const CpuEyeSpace lent(world, pencil_at(world));
     buffers.lend_eye_space(world, pencil_at(world), lent.memory.corner.span());
@@ -172,7 +173,7 @@ TEST_F(SceneBuffers, LentEyeSpaceIsUploadedOnlyWhereItIsNew)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     const CpuEyeSpace lent(world, pencil_at(world));
     const auto lend = [&] {
@@ -192,11 +193,11 @@ TEST_F(SceneBuffers, UploadNothingForASceneThatIsStill)
 {
     const Scene scene = load_scene("builtin:wave?n=2000");
     World world;
-    pose(scene, 0.5, world);
+    pose(borrow(scene), 0.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     buffers.pose(world, pencil_at(world));
     const std::uint64_t bytes = buffers.uploaded_bytes(), poses = buffers.poses();
-    pose(scene, 0.5, world);
+    pose(borrow(scene), 0.5, world);
     buffers.pose(world, pencil_at(world));
     EXPECT_EQ(buffers.uploaded_bytes(), bytes);
     EXPECT_EQ(buffers.poses(), poses);
@@ -206,11 +207,11 @@ TEST_F(SceneBuffers, UploadMatricesAloneForRigidParts)
 {
     const Scene scene = load_scene("builtin:robots");
     World world;
-    pose(scene, 2.5, world);
+    pose(borrow(scene), 2.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::surfaces);
     buffers.pose(world, pencil_at(world));
     const std::uint64_t bytes = buffers.uploaded_bytes();
-    pose(scene, 2.6, world);
+    pose(borrow(scene), 2.6, world);
     buffers.pose(world, pencil_at(world));
     EXPECT_GT(buffers.uploaded_bytes(), bytes);
     EXPECT_LE(buffers.uploaded_bytes() - bytes, scene.nodes.size() * sizeof(gl::MatrixData));
@@ -220,12 +221,12 @@ TEST_F(SceneBuffers, UploadVerticesOfPartsThatDeform)
 {
     const Scene scene = load_scene("builtin:wave?n=2000");
     World world;
-    pose(scene, 0.5, world);
+    pose(borrow(scene), 0.5, world);
     const Pencil still = pencil_at(world);
     gl::SceneBuffers buffers(*context, gl::Detail::items);
     buffers.pose(world, still);
     const std::uint64_t bytes = buffers.uploaded_bytes();
-    pose(scene, 0.6, world);
+    pose(borrow(scene), 0.6, world);
     buffers.pose(world, still);
     EXPECT_EQ(buffers.uploaded_bytes() - bytes, scene.vertices * sizeof(glm::vec3));
 }
@@ -273,7 +274,7 @@ TEST_F(SceneBuffers, TooManyVerticesAreAnErrorWithNumbers)
     scene.name = "vast";
     scene.vertices = std::size_t(context->info().max_storage_bytes) / 16 + 1;
     World world;
-    world.scene = &scene;
+    world.scene = borrow(scene);
     gl::SceneBuffers buffers(*context, gl::Detail::items);
     const std::string message = message_of<DeviceError>([&] { buffers.pose(world, Pencil{}); });
     EXPECT_NE(

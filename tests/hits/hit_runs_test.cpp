@@ -1,6 +1,7 @@
 // hit_runs_test.cpp - what resolve keeps of runs and of blocks, and that their number changes no bit.
 #include "hits/known_run.h"
 #include "instruction_sets.h"
+#include "scene/model/borrow.h"
 #include "shadow/map/hit_picture.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ struct Posed {
 
     explicit Posed(const std::string& name, int size = 96) : scene(load_scene(name))
     {
-        pose(scene, 0, world);
+        pose(borrow(scene), 0, world);
         view = {.camera = framing_camera(world), .width = size, .height = size, .region = {}};
     }
 };
@@ -52,7 +53,7 @@ TEST(HitRuns, WithoutAreaOrBelowTheEyeHaveNoPlane)
 {
     Scene scene;
     World world;
-    world.scene = &scene;
+    world.scene = borrow(scene);
     world.position = {{0, 0, -4}, {1, 0, -4}, {2, 0, -4}, {0, 3, -4}, {0, 0, 0}};
     scene.index = {{0, 1, 2}, {4, 0, 3}, {0, 1, 3}};
     EXPECT_FALSE(with_plane({.item = 0}, world, glm::vec3(0)).has_plane());

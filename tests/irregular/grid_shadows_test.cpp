@@ -70,7 +70,7 @@ struct Sheet {
             return size * glm::vec3(x, y, z);
         });
         world = std::move(made.world);
-        world.world.scene = world.scene.get();
+        world.world.scene = world.scene;
         const auto& index = world.scene->index;
         for (int k = 0; k < 4000; ++k) {
             const auto t = std::uint32_t(whole(random, 0, int(index.size()) - 1));

@@ -28,7 +28,7 @@ struct Layers {
             });
         }
         world = std::move(made.world);
-        world.world.scene = world.scene.get();
+        world.world.scene = world.scene;
     }
 
     /// Points at corners, on edges and inside of triangles. Every fifth point has no receiver.

@@ -1,4 +1,5 @@
 // compare_test.cpp - whole scenes, items and shadows, against both oracles.
+#include "scene/model/borrow.h"
 #include "scenes.h"
 #include "test_data.h"
 
@@ -12,7 +13,7 @@ namespace {
 void expect_right(const Scene& scene, double time_s, Oracle oracle, int size)
 {
     World world;
-    pose(scene, time_s, world);
+    pose(borrow(scene), time_s, world);
     View view;
     view.width = view.height = size;
     view.camera = scene.camera ? world.camera : framing_camera(world);

@@ -1,5 +1,6 @@
 // endurance_test.cpp - ten thousand frames in one process: OpenGL's engines keep what they have.
 #include "gl/device/objects.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -40,7 +41,7 @@ TEST(Endurance, TenThousandFramesTakeNoMemoryAndAreNeverBlank)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     View view;
     view.width = view.height = 32;
     view.camera = framing_camera(world);

@@ -1,5 +1,6 @@
 // engine_comparison_test.cpp - the engines on OpenGL against the cpu engine.
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -66,7 +67,7 @@ class EngineComparing : public testing::Test {
     void load(const std::string& name, double time_s, int size)
     {
         scene = load_scene(name);
-        pose(scene, time_s, world);
+        pose(borrow(scene), time_s, world);
         view.width = view.height = size;
         view.camera = scene.camera ? world.camera : framing_camera(world);
     }
@@ -151,7 +152,7 @@ TEST_F(EngineComparing, LendsTheMapsOfLightsThatReachNothing)
     Light light;
     light.position = {0, 30, 0};
     scene.lights = {light};
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     view = {};
     view.width = view.height = 64;
     view.camera.eye = {0, 2, 0};
@@ -241,7 +242,7 @@ TEST(EngineComparer, RefusesWhatCannotBeCompared)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     Settings settings;
     EXPECT_EQ(message_of<ArgumentError>([&] { compare_engines(world, {}, settings); }),
         "only the hybrid and the gpu engine are compared with the cpu engine");

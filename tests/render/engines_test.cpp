@@ -1,5 +1,6 @@
 // engines_test.cpp - the renderer's engines: who makes the frame, and that it is the same picture.
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -31,7 +32,7 @@ class Engines : public testing::Test {
     void show(const std::string& name, double time_s, int size = 128)
     {
         scene_ = load_scene(name);
-        pose(scene_, time_s, world_);
+        pose(borrow(scene_), time_s, world_);
         view_.width = view_.height = size;
         view_.camera = scene_.camera ? world_.camera : framing_camera(world_);
     }

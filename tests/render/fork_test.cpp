@@ -1,4 +1,6 @@
 // fork_test.cpp - a child process that forks off may destroy what its parent made.
+#include "scene/model/borrow.h"
+
 #include <firsthit/firsthit.h>
 
 #include <gtest/gtest.h>
@@ -36,7 +38,7 @@ class Fork : public testing::Test {
   protected:
     void SetUp() override
     {
-        pose(scene, 0, world);
+        pose(borrow(scene), 0, world);
         view.width = view.height = 64;
         view.camera = framing_camera(world);
         settings.shadows = Shadows::map;

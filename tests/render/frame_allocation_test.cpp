@@ -1,5 +1,6 @@
 // frame_allocation_test.cpp - frames of one size share their memory.
 #include "allocations.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
 
@@ -15,7 +16,7 @@ namespace {
 std::size_t allocations_after_two_frames(const Scene& scene, int threads, const Settings& settings)
 {
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     View view;
     view.width = view.height = 320;
     view.camera = framing_camera(world);

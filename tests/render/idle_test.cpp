@@ -1,4 +1,6 @@
 // idle_test.cpp - threads that have nothing to do sleep.
+#include "scene/model/borrow.h"
+
 #include <firsthit/firsthit.h>
 
 #include <gtest/gtest.h>
@@ -29,7 +31,7 @@ TEST(Idle, RenderersUseNoProcessor)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     View view;
     view.width = view.height = 256;
     view.camera = framing_camera(world);

@@ -1,5 +1,6 @@
 // occlusion_test.cpp - points that are no pixels: what lights do not reach, and what is refused.
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -117,7 +118,7 @@ struct Crowd {
 
     Crowd()
     {
-        pose(scene, 2, world);
+        pose(borrow(scene), 2, world);
         const auto box = bounds(world);
         std::mt19937 random(1);
         std::uniform_real_distribution<float> share(0, 1);

@@ -1,5 +1,6 @@
 // renderer_test.cpp - pictures that must be equal, and settings that are refused.
 #include "message_of.h"
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -20,7 +21,7 @@ struct Picture {
 
     Picture()
     {
-        pose(scene, 1.5, world);
+        pose(borrow(scene), 1.5, world);
         view.width = 96, view.height = 64;
         view.camera = world.camera;
     }

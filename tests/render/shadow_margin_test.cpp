@@ -1,4 +1,5 @@
 // shadow_margin_test.cpp - no surface shadows itself, and what is nearly in touch still shadows.
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/firsthit.h>
@@ -52,7 +53,7 @@ struct Picture {
         : scene(scene_from_arrays(mesh.position, mesh.index))
     {
         scene.lights = lights;
-        pose(scene, 0, world);
+        pose(borrow(scene), 0, world);
         Settings settings;
         settings.color = false;
         settings.aovs = {Aov::item, Aov::position, Aov::lit};
@@ -170,7 +171,7 @@ double shadowed_share(double gap)
     mesh.sphere({0, 1 + gap, 0}, 1, 96);
     const Scene scene = scene_from_arrays(mesh.position, mesh.index);
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     // On the triangles around the lower ball's top, beside it: where the balls are closest.
     std::vector<vec3> points;
     std::vector<std::uint32_t> receivers;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hits/hit_tile.h"
+#include "scene/model/borrow.h"
 #include "shade/shade_tile.h"
 
 #include <firsthit/scene.h>
@@ -114,7 +115,7 @@ struct TileScene {
     /// Fills the tile: the nearest triangle of each sample, runs of equal ones in each block.
     void cast()
     {
-        world.scene = &scene;
+        world.scene = borrow(scene);
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> masks;
         for (int y = 0; y < hits.size; ++y)
             for (int x = 0; x < hits.size; ++x) {

@@ -99,7 +99,7 @@ BaselineScene baseline_scene(std::string name, Scene scene, double time_s)
         .scene = std::make_shared<const Scene>(std::move(scene)),
         .time_s = time_s};
     World world;
-    pose(*made.scene, time_s, world);
+    pose(made.scene, time_s, world);
     made.camera = framing_camera(world);
     return made;
 }

@@ -31,7 +31,7 @@ std::vector<BaselineUpdate> candidates(const BaselineScene& scene)
 double shortest_frame_ms(const BaselineScene& scene, const RowSettings& settings,
     BaselineUpdate update, double best_ms, int& packet)
 {
-    EmbreeBaseline baseline(*scene.scene, update, settings.threads);
+    EmbreeBaseline baseline(scene.scene, update, settings.threads);
     packet = baseline.packet();
     Settings shadows;
     shadows.shadows = Shadows::exact;

@@ -29,7 +29,7 @@ class OurFrames : public FrameMaker {
     void make(double time_s, bool items, Film& film) override
     {
         settings_.aovs = planes(items);
-        renderer_.pose(*scene_.scene, time_s, world_);
+        renderer_.pose(scene_.scene, time_s, world_);
         renderer_.render(world_, scene_.view(world_, size_), settings_, film);
     }
     Stages stages() const override
@@ -53,7 +53,7 @@ class EmbreeFrames : public FrameMaker {
         int packet)
         : scene_(scene),
           size_(size),
-          baseline_(*scene.scene, update, threads, packet)
+          baseline_(scene.scene, update, threads, packet)
     {
         settings_.shadows = Shadows::exact;
     }

@@ -40,9 +40,8 @@ std::string system_name()
 
 std::string opengl_name()
 {
-    const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(load_scene("builtin:torus"), 0, world);
     View view;
     view.camera = framing_camera(world);
     view.width = view.height = 8;

@@ -25,11 +25,15 @@ namespace {
 
 PaperScene loaded(const std::string& file, const std::string& note)
 {
-    PaperScene scene{.file = file, .scene = load_scene(file), .note = note, .camera = {}};
-    print_warnings(scene.scene->warnings);
-    if (scene.scene->lights.size() > 1) scene.scene->lights.resize(1);
+    Scene read = load_scene(file);
+    print_warnings(read.warnings);
+    if (read.lights.size() > 1) read.lights.resize(1);
+    PaperScene scene{.file = file,
+        .scene = std::make_shared<const Scene>(std::move(read)),
+        .note = note,
+        .camera = {}};
     World world;
-    pose(*scene.scene, scene.scene->begin_s, world);
+    pose(scene.scene, scene.scene->begin_s, world);
     scene.camera = framing_camera(world);
     return scene;
 }
@@ -105,7 +109,7 @@ std::vector<Frames> PaperRenderers::measure(const PaperScene& scene, const Size&
             State& state = *states_[way];
             const int k = round < 0 ? 0 : round % rounds;
             const Stopwatch watch;
-            state.renderer.pose(*scene.scene, frame_time(*scene.scene, k, rounds), state.world);
+            state.renderer.pose(scene.scene, frame_time(*scene.scene, k, rounds), state.world);
             state.renderer.render(
                 state.world, view_of(scene, state.world, size), ways_[way].settings, state.film);
             const double ms = watch.ms();

@@ -18,10 +18,10 @@ namespace firsthit::cli::bench {
 
 /// One of the three, with the one light that the paper turns on.
 struct PaperScene {
-    std::string file;           // as load_scene takes it
-    std::optional<Scene> scene; // none: it is missing
-    std::string note;           // what stands in for it, or why it is missing
-    Camera camera;              // of a scene that has none: frames it
+    std::string file;                   // as load_scene takes it
+    std::shared_ptr<const Scene> scene; // null: it is missing
+    std::string note;                   // what stands in for it, or why it is missing
+    Camera camera;                      // of a scene that has none: frames it
 };
 
 /// Robots, bunny, torus. throws  as load_scene of the robots' file

@@ -29,8 +29,8 @@ struct Studio {
     Film film(std::size_t scene, Settings settings)
     {
         settings.aovs = {Aov::item};
-        const Scene& shown = *scenes[scene].scene;
-        renderer.pose(shown, frame_time(shown, 0, 1), world);
+        const std::shared_ptr<const Scene>& shown = scenes[scene].scene;
+        renderer.pose(shown, frame_time(*shown, 0, 1), world);
         Film film;
         renderer.render(world, view_of(scenes[scene], world, {side, side}), settings, film);
         return film;

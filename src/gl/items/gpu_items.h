@@ -5,7 +5,7 @@
 #include "exact/pencil.h"
 #include "gl/scene/scene_buffers.h"
 
-#include <firsthit/render.h>
+#include <firsthit/settings.h>
 #include <firsthit/scene.h>
 
 namespace firsthit::gl {

@@ -104,8 +104,7 @@ void HybridItems::report(int rows)
     changed_.notify_all();
 }
 
-bool HybridItems::start(const World& world, const View& /*view*/, const Region& /*part*/,
-    int /*samples*/, ViewMemory& memory, Tasks& tasks)
+bool HybridItems::start(const World& world, ViewMemory& memory, Tasks& tasks)
 {
     thread_.wait(); // where the last frame was given up
     check_triangles(settings_.item_format, world.scene->index.size());

@@ -8,7 +8,7 @@
 #include "gl/scene/scene_buffers.h"
 #include "visibility/item_source.h"
 
-#include <firsthit/render.h>
+#include <firsthit/settings.h>
 
 #include <condition_variable>
 #include <exception>
@@ -58,8 +58,7 @@ class HybridItems final : public ItemSource {
 
     /// throws  ArgumentError: more triangles than the item format holds
     ///         DeviceError: as SceneBuffers and ItemPass
-    bool start(const World& world, const View& view, const Region& part, int samples,
-        ViewMemory& memory, Tasks& tasks) override;
+    bool start(const World& world, ViewMemory& memory, Tasks& tasks) override;
     std::size_t wait(const ViewMemory& memory) override;
     void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
         std::size_t worker) override;

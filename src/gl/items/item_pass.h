@@ -8,7 +8,7 @@
 #include "gl/scene/scene_buffers.h"
 #include "gl/items/triangle_draw.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/opengl_options.h>
 
 #include <cstdint>
 

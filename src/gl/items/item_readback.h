@@ -5,7 +5,7 @@
 #include "gl/items/item_pass.h"
 #include "gl/device/objects.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/opengl_options.h>
 
 #include <cstdint>
 #include <span>

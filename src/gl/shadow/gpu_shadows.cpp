@@ -44,16 +44,14 @@ void GpuShadows::set_lights(const World& world, const SampleFrame& frame)
     upload_tables(world, frame, {}, 1);
 }
 
-void GpuShadows::update_maps(const World& world, const Settings& settings,
-    const SceneBuffers& scene, const SampleFrame& frame, std::span<LightBounds> bounds,
-    std::int64_t max_storage_bytes, Tasks& tasks)
+void GpuShadows::update_maps(const Wanted& wanted, std::int64_t max_storage_bytes, Tasks& tasks)
 {
-    plan_maps(world, settings, bounds, maps_, tasks);
+    plan_maps(wanted.world, wanted.options, wanted.bounds, maps_, tasks);
     texels_.lay_out(maps_.light, max_storage_bytes);
-    depth_pass_.draw_changed(world, scene, texels_, maps_);
+    depth_pass_.draw_changed(wanted.world, wanted.scene, texels_, maps_);
     updates_ += maps_.changed.size();
     maps_.complete = true;
-    upload_tables(world, frame, maps_.light, settings.shadow_filter);
+    upload_tables(wanted.world, wanted.frame, maps_.light, wanted.options.shadow_filter);
 }
 
 void GpuShadows::use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,

@@ -7,7 +7,7 @@
 #include "gl/shadow/map_texels.h"
 #include "gl/scene/scene_buffers.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/shadow_options.h>
 
 #include <cstdint>
 #include <span>
@@ -24,12 +24,18 @@ class GpuShadows {
     /// Uploads the lights, and binds them and their maps; no map is looked at before the next call.
     void set_lights(const World& world, const SampleFrame& frame);
 
-    /// Draws the maps that are not what lights, triangles, hits and settings ask for.
-    /// bounds  (lights) of the visible hits
+    /// What maps have to show.
+    struct Wanted {
+        const World& world;
+        const ShadowOptions& options;
+        const SceneBuffers& scene;
+        const SampleFrame& frame;
+        std::span<LightBounds> bounds; // (lights) of the visible hits
+    };
+
+    /// Draws the maps that are not what lights, triangles, hits and options ask for.
     /// throws  DeviceError: no memory, or a map beyond the driver's limits
-    void update_maps(const World& world, const Settings& settings, const SceneBuffers& scene,
-        const SampleFrame& frame, std::span<LightBounds> bounds, std::int64_t max_storage_bytes,
-        Tasks& tasks);
+    void update_maps(const Wanted& wanted, std::int64_t max_storage_bytes, Tasks& tasks);
 
     /// Uploads maps that the cpu engine made.
     void use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,

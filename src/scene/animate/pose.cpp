@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace firsthit {
 namespace {
@@ -173,11 +174,13 @@ void pose_parts(const Scene& scene, World& world, Tasks& tasks)
 
 } // namespace
 
-void pose(const Scene& scene, double time_s, World& world, Tasks& tasks)
+void pose(std::shared_ptr<const Scene> shared, double time_s, World& world, Tasks& tasks)
 {
+    if (!shared) throw ArgumentError("there is no scene to pose");
     if (!std::isfinite(time_s)) throw ArgumentError("the time of a pose must be a finite number");
+    const Scene& scene = *shared;
     check_shape(scene);
-    world.scene = &scene;
+    world.scene = std::move(shared);
     world.time_s = time_s;
     pose_nodes(scene, time_s, world, tasks);
     pose_parts(scene, world, tasks);
@@ -196,10 +199,15 @@ void pose(const Scene& scene, double time_s, World& world, Tasks& tasks)
             world.camera, scene.tracks[static_cast<std::size_t>(scene.camera_track)], time_s);
 }
 
-void pose(const Scene& scene, double time_s, World& world, int threads)
+void pose(std::shared_ptr<const Scene> scene, double time_s, World& world, int threads)
 {
     Tasks tasks(threads);
-    pose(scene, time_s, world, tasks);
+    pose(std::move(scene), time_s, world, tasks);
+}
+
+void pose(Scene&& scene, double time_s, World& world, int threads)
+{
+    pose(std::make_shared<const Scene>(std::move(scene)), time_s, world, threads);
 }
 
 } // namespace firsthit

@@ -5,9 +5,11 @@
 
 #include <firsthit/scene.h>
 
+#include <memory>
+
 namespace firsthit {
 
 /// As pose() of scene.h, on threads that the caller keeps.
-void pose(const Scene& scene, double time_s, World& world, Tasks& tasks);
+void pose(std::shared_ptr<const Scene> scene, double time_s, World& world, Tasks& tasks);
 
 } // namespace firsthit

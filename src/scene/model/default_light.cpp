@@ -1,6 +1,8 @@
 // default_light.cpp - light for scenes that bring none.
 #include "scene/model/default_light.h"
 
+#include "scene/model/borrow.h"
+
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -11,7 +13,7 @@ namespace firsthit {
 void add_default_light(Scene& scene)
 {
     World world;
-    pose(scene, scene.begin_s, world);
+    pose(borrow(scene), scene.begin_s, world);
     const std::array<glm::vec3, 2> box = bounds(world);
     const glm::dvec3 middle = (glm::dvec3(box[0]) + glm::dvec3(box[1])) * 0.5;
     const Camera camera = scene.camera ? world.camera : framing_camera(world);

@@ -148,54 +148,71 @@ void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     }
 }
 
-void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& visibility, TileOcclusion* tile_occlusion)
+namespace {
+
+/// One light's part of test_exact_shadows.
+void test_light(
+    const SeenTiles& seen, std::size_t l, ShadowMemory& memory, Tasks& tasks, LitBits& visibility)
 {
+    const World& world = seen.world;
+    const std::span<const HitTile> tiles = seen.tiles;
+    TileOcclusion* const tile_occlusion = seen.tile_occlusion;
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
-    visibility.lights = world.lights.size();
+    const Light& light = world.lights[l];
+    const PencilSpace space = light_space(light, seen.eye);
+    std::optional<SpotCone> cone;
+    if (light.kind == Light::Kind::spot) cone = spot_cone(light);
+    Stopwatch watch;
+    if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
+        std::fill_n(&visibility.words[visibility.first_word(l, 0)], visibility.tiles * visibility.blocks, std::uint64_t(0));
+        memory.effort.collect_ms += watch.lap_ms();
+        return;
+    }
+    memory.effort.collect_ms += watch.lap_ms();
+    make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
+    memory.effort.see_ms += watch.lap_ms();
+    tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
+        std::uint64_t* words = &visibility.words[visibility.first_word(l, tile)];
+        if (tile_occlusion && tile_occlusion->hidden[tile]) {
+            std::fill_n(words, visibility.blocks, std::uint64_t(0));
+            memory.parts[tile] = {};
+            return;
+        }
+        TileReceivers& receivers = memory.workers[worker]->receivers;
+        PointChunk& chunk = memory.workers[worker]->chunk;
+        find_receivers(memory.mesh, tiles[tile], receivers);
+        collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
+                         std::uint32_t(tile * samples)},
+            tile * chunk_room(samples), memory.samples.span(), {words, visibility.blocks},
+            memory.parts[tile], chunk);
+        std::memset(memory.shadowed.data() + tile * samples, 0, samples);
+    });
+    memory.effort.collect_ms += watch.lap_ms();
+    test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
+    watch.lap_ms();
+    tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
+        remove_shadowed(memory.shadowed.data() + tile * samples,
+            visibility.words.span().subspan(visibility.first_word(l, tile), visibility.blocks));
+    });
+    memory.effort.collect_ms += watch.lap_ms();
+}
+
+} // namespace
+
+void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks, LitBits& visibility,
+    const StageProgress& progress)
+{
+    const std::span<const HitTile> tiles = seen.tiles;
+    const std::size_t lights = seen.world.lights.size();
+    const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
+    visibility.lights = lights;
     visibility.tiles = tiles.size();
     visibility.blocks = samples / kBlockSamples;
-    visibility.words.resize(world.lights.size() * visibility.tiles * visibility.blocks);
+    visibility.words.resize(lights * visibility.tiles * visibility.blocks);
     resize(memory, tiles.size(), samples, tasks.threads());
-    for (std::size_t l = 0; l < world.lights.size(); ++l) {
-        const Light& light = world.lights[l];
-        const PencilSpace space = light_space(light, eye);
-        std::optional<SpotCone> cone;
-        if (light.kind == Light::Kind::spot) cone = spot_cone(light);
-        Stopwatch watch;
-        if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
-            std::fill_n(&visibility.words[visibility.first_word(l, 0)],
-                visibility.tiles * visibility.blocks, std::uint64_t(0));
-            memory.effort.collect_ms += watch.lap_ms();
-            continue;
-        }
-        memory.effort.collect_ms += watch.lap_ms();
-        make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
-        memory.effort.see_ms += watch.lap_ms();
-        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
-            std::uint64_t* words = &visibility.words[visibility.first_word(l, tile)];
-            if (tile_occlusion && tile_occlusion->hidden[tile]) {
-                std::fill_n(words, visibility.blocks, std::uint64_t(0));
-                memory.parts[tile] = {};
-                return;
-            }
-            TileReceivers& receivers = memory.workers[worker]->receivers;
-            PointChunk& chunk = memory.workers[worker]->chunk;
-            find_receivers(memory.mesh, tiles[tile], receivers);
-            collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
-                             std::uint32_t(tile * samples)},
-                tile * chunk_room(samples), memory.samples.span(), {words, visibility.blocks},
-                memory.parts[tile], chunk);
-            std::memset(memory.shadowed.data() + tile * samples, 0, samples);
-        });
-        memory.effort.collect_ms += watch.lap_ms();
-        test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
-        watch.lap_ms();
-        tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
-            remove_shadowed(memory.shadowed.data() + tile * samples,
-                visibility.words.span().subspan(visibility.first_word(l, tile), visibility.blocks));
-        });
-        memory.effort.collect_ms += watch.lap_ms();
+    for (std::size_t l = 0; l < lights; ++l) {
+        test_light(seen, l, memory, tasks, visibility);
+        progress.step(l, lights);
     }
 }
 

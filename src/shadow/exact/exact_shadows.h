@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "frame/frame_progress.h"
 #include "hits/hit_tile.h"
 #include "hits/light_visibility.h"
 #include "irregular/grid/grid_shadows.h"
@@ -88,15 +89,21 @@ struct LitBits {
 /// Converts one tile's bits, of all lights, to floats 0 and 1. The result points into `memory`.
 LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
 
+/// The hits whose light visibility is asked for.
+struct SeenTiles {
+    const World& world;
+    const glm::dvec3& eye;             // where the hits were seen from
+    std::span<const HitTile> tiles;    // of one picture part; all of one size, their items in one array
+    TileOcclusion* tile_occlusion = nullptr; // of these tiles, with occluders; or null.
+                                             // Tiles that it hides are not tested
+};
+
 /// Computes the light visibility of all hits of the tiles for all lights of the world. A light
 /// reaches a hit if it is on the same side of the item's plane as the eye, the hit is inside the
 /// light's cone (spot lights), and no other triangle shadows the hit (exact/shadow_ray.h).
-/// eye             where the hits were seen from
-/// tiles           of one picture part; all of one size, their items in one contiguous array
-/// visibility      receives the answers
-/// tile_occlusion  of these tiles, with occluders; or null. Tiles that it hides are not tested.
-void test_exact_shadows(const World& world, const glm::dvec3& eye, std::span<const HitTile> tiles,
-    ShadowMemory& memory, Tasks& tasks, LitBits& visibility,
-    TileOcclusion* tile_occlusion = nullptr);
+/// visibility  receives the answers
+/// progress    receives a step for each light
+void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks,
+    LitBits& visibility, const StageProgress& progress = {});
 
 } // namespace firsthit

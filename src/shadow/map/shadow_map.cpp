@@ -104,21 +104,21 @@ void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::siz
     add_hits(hits, maps.light[light].frame, maps.workers[worker]->bounds[light]);
 }
 
-void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
+void plan_maps(const World& world, const ShadowOptions& options, std::span<LightBounds> bounds,
     ShadowMaps& maps, Tasks& tasks)
 {
     if (!maps.complete) maps.light.clear();
     maps.complete = false;
-    maps.filter = settings.shadow_filter;
-    maps.bias = settings.shadow_bias;
+    maps.filter = options.shadow_filter;
+    maps.bias = options.shadow_bias;
     maps.texels = 0;
     maps.changed.clear();
     maps.light.resize(world.lights.size());
     if (maps.light.empty()) return;
     const auto wanted = [&](std::size_t number, int face) {
         return MapSource{maps.light[number].frame,
-            map_fit(bounds[number][std::size_t(face)], settings.shadow_map_size,
-                settings.shadow_filter),
+            map_fit(
+                bounds[number][std::size_t(face)], options.shadow_map_size, options.shadow_filter),
             maps.geometry.version};
     };
     const auto for_maps = [&](const auto& f) {
@@ -145,22 +145,28 @@ void plan_maps(const World& world, const Settings& settings, std::span<LightBoun
     });
 }
 
-void update_maps(
-    const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks, MapMaker* maker)
+void update_maps(const World& world, const ShadowOptions& options, ShadowMaps& maps, Tasks& tasks,
+    const MapMaking& making)
 {
     maps.bounds.assign(world.lights.size(), LightBounds{});
     for (const auto& worker : maps.workers)
         for (std::size_t light = 0; light < maps.bounds.size(); ++light)
             for (std::size_t face = 0; face < kFaces; ++face)
                 maps.bounds[light][face].add(worker->bounds[light][face]);
-    plan_maps(world, settings, maps.bounds, maps, tasks);
-    if (maker)
-        maker->make(world, maps, tasks);
-    else
-        for (const MapNumber& k : maps.changed)
-            make_map(world, k.face, maps, map_of(maps, k), tasks);
+    plan_maps(world, options, maps.bounds, maps, tasks);
+    const std::size_t count = maps.changed.size();
+    if (making.maker) making.maker->make(world, maps, tasks);
+    for (std::size_t k = 0; !making.maker && k < count; ++k) {
+        const MapNumber& number = maps.changed[k];
+        make_map(world, number.face, maps, map_of(maps, number), tasks);
+        if (k + 1 < count) making.progress.step(k, count);
+    }
     maps.updates += maps.changed.size();
     maps.complete = true;
+    if (making.maker || count == 0)
+        making.progress.step(0, 1);
+    else
+        making.progress.step(count - 1, count);
 }
 
 } // namespace firsthit

@@ -4,7 +4,7 @@
 //
 //     start_maps(world, tasks.threads(), maps)
 //     add_hits(hits, maps, worker)                each tile, once what it sees is known
-//     update_maps(world, settings, maps, tasks)
+//     update_maps(world, options, maps, tasks)
 //     sample_shadow_map(maps, world, hits, light, visibility)    each tile and light
 //
 // source  Williams 1978; Robert and Schoepke 2006, section 3.2: "the shadow map only needs to be
@@ -12,6 +12,7 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "frame/frame_progress.h"
 #include "hits/hit_tile.h"
 #include "shadow/map/geometry_copy.h"
 #include "shadow/map/map_fit.h"
@@ -19,7 +20,7 @@
 #include "shadow/map/store_depth.h"
 #include "visibility/bin/view_memory.h"
 
-#include <firsthit/render.h>
+#include <firsthit/options/shadow_options.h>
 
 #include <array>
 #include <memory>
@@ -102,17 +103,22 @@ void add_hits(const HitTile& hits, ShadowMaps& maps, std::size_t worker);
 /// The same for one light.
 void add_hits(const HitTile& hits, std::size_t light, ShadowMaps& maps, std::size_t worker);
 
+/// Who makes the maps, and who is told about progress.
+struct MapMaking {
+    MapMaker* maker = nullptr; // draws the maps; null: our rasteriser
+    StageProgress progress;    // receives a step for each map that has to be made
+};
+
 /// Makes the maps whose source has changed. A source follows from the world's triangles and lights,
-/// the hits, settings.shadow_map_size and .shadow_filter. Maps of unchanged sources are kept. The
+/// the hits, options.shadow_map_size and .shadow_filter. Maps of unchanged sources are kept. The
 /// result does not depend on the number of threads or on earlier frames.
-/// maker  draws the maps; null: our rasteriser
-void update_maps(const World& world, const Settings& settings, ShadowMaps& maps, Tasks& tasks,
-    MapMaker* maker = nullptr);
+void update_maps(const World& world, const ShadowOptions& options, ShadowMaps& maps, Tasks& tasks,
+    const MapMaking& making = {});
 
 /// The first half of update_maps: sets the source of every map, and lists in maps.changed the maps
 /// that have to be made from it. The caller makes them and then sets maps.complete.
 /// bounds  (lights) bounds of the visible hits
-void plan_maps(const World& world, const Settings& settings, std::span<LightBounds> bounds,
+void plan_maps(const World& world, const ShadowOptions& options, std::span<LightBounds> bounds,
     ShadowMaps& maps, Tasks& tasks);
 
 } // namespace firsthit

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/buffer.h"
-#include "exact/pencil.h"
+#include "visibility/bin/tile_layout.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -80,22 +80,21 @@ struct RangeCount {
     std::uint32_t fragments; // of those
 };
 
-struct ViewMemory {
-    Pencil pencil;
-    int tile_size = 64;
-    int tiles_x = 0;
-    int tiles_y = 0;
+/// The triangles as a pencil sees them.
+struct EyeMesh {
     std::span<const glm::uvec3> index;
-
     CornerSpace corner_space = CornerSpace::eye;
     Buffer<glm::vec4> corner; // (V) see Pencil; VertexSamples
+};
+
+/// The triangles that may hit a sample, by tile.
+struct Bins {
     // (T) room; each range of triangles fills the start of its part
     Buffer<InView, Pages::small> in_view;
     Buffer<TileEntry> entry;          // (entries) by tile, then by triangle
     Buffer<std::uint32_t> tile_start; // (tiles + 1) into entry
     Buffer<RangeCount> range_count;   // (ranges)
     Buffer<std::uint32_t> cursor;     // (ranges, tiles)
-    Buffer<std::uint8_t> tile_of;     // sample -> tile number on one axis
 
     std::uint32_t found_room = 0; // fragments for which a range has room
     FoundFragments found;         // (ranges, room); each range fills the start of its part
@@ -107,8 +106,9 @@ struct ViewMemory {
 
     std::uint64_t in_view_count = 0; // triangles that may hit a sample
     std::uint64_t entry_count = 0;
-
-    int tiles() const { return tiles_x * tiles_y; }
 };
+
+/// What an engine keeps of one pencil. Functions take the part of it that they need.
+struct ViewMemory : TileLayout, EyeMesh, Bins {};
 
 } // namespace firsthit

@@ -24,8 +24,7 @@ void clear_outside(const ViewMemory& memory, int tile, ItemTile& out)
 
 } // namespace
 
-bool RasterSource::start(const World& world, const View& /*view*/, const Region& /*part*/,
-    int /*samples*/, ViewMemory& memory, Tasks& tasks)
+bool RasterSource::start(const World& world, ViewMemory& memory, Tasks& tasks)
 {
     project_vertices(world.position, memory, tasks);
     return bin_triangles(world.scene->index, memory, tasks);

@@ -7,8 +7,7 @@ namespace firsthit {
 
 class RasterSource final : public ItemSource {
   public:
-    bool start(const World& world, const View& view, const Region& part, int samples,
-        ViewMemory& memory, Tasks& tasks) override;
+    bool start(const World& world, ViewMemory& memory, Tasks& tasks) override;
     std::size_t wait(const ViewMemory& memory) override;
     void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
         std::size_t worker) override;

@@ -1,5 +1,6 @@
 // aff_nesting_test.cpp - transforms inside transforms and files inside files.
 #include "readers/aff/aff_text.h"
+#include "scene/model/borrow.h"
 
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
@@ -96,7 +97,7 @@ TEST(AffNesting, ReadsTransformsTenThousandDeep)
     const Scene scene = scene_of(text);
     EXPECT_EQ(scene.nodes.size(), std::size_t(depth + 1));
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     EXPECT_EQ(world.position[0], glm::vec3(0, 0, depth / 2));
 }
 

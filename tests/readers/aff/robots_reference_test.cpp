@@ -3,6 +3,7 @@
 #include "scene/animate/track.h"
 #include "io/whole_file.h"
 
+#include "scene/model/borrow.h"
 #include "test_data.h"
 
 #include <firsthit/scene.h>
@@ -54,7 +55,7 @@ class Robots : public testing::Test {
     static World posed(double time_s)
     {
         World world;
-        pose(*scene_, time_s, world);
+        pose(borrow(*scene_), time_s, world);
         return world;
     }
     static glm::dvec3 mesh_vertex_mean(double time_s)

@@ -3,6 +3,7 @@
 
 #include "allocations.h"
 #include "readers/aff/aff_text.h"
+#include "scene/model/borrow.h"
 
 #include <firsthit/normals.h>
 
@@ -25,10 +26,10 @@ TEST(PoseAllocation, HappensOnlyInTheFirstPose)
     for (const int threads : {1, 2}) {
         Tasks tasks(threads);
         World world;
-        pose(scene, 0, world, tasks);
-        pose(scene, 1, world, tasks);
+        pose(borrow(scene), 0, world, tasks);
+        pose(borrow(scene), 1, world, tasks);
         const std::size_t before = allocations();
-        for (int frame = 0; frame < 10; ++frame) pose(scene, 0.1 * frame, world, tasks);
+        for (int frame = 0; frame < 10; ++frame) pose(borrow(scene), 0.1 * frame, world, tasks);
         EXPECT_EQ(allocations(), before) << threads << " threads";
     }
 }

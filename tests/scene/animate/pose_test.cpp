@@ -3,6 +3,7 @@
 
 #include "message_of.h"
 #include "readers/aff/aff_text.h"
+#include "scene/model/borrow.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -18,7 +19,7 @@ namespace {
 World posed(const Scene& scene, double time_s, int threads = 1)
 {
     World world;
-    pose(scene, time_s, world, threads);
+    pose(borrow(scene), time_s, world, threads);
     return world;
 }
 
@@ -64,7 +65,7 @@ TEST(Pose, MovesNodesInsideNodes)
     // (1, 0, 0): scaled (2, 0, 0), turned (0, 2, 0), moved (1, 2, 0), and by the track (11, 2, 0).
     EXPECT_NEAR(glm::distance(world.position[1], glm::vec3(11, 2, 0)), 0, 1e-6);
     EXPECT_EQ(world.time_s, 1);
-    EXPECT_EQ(world.scene, &scene);
+    EXPECT_EQ(world.scene.get(), &scene);
     EXPECT_EQ(world.node_matrix[2][3], glm::dvec4(11, 0, 0, 1));
 }
 
@@ -228,7 +229,7 @@ TEST(Pose, ReusesAWorldForAnotherScene)
     World world;
     pose(scene_of("x a{s 0 0 0 1} l 0 0 0 l 1 1 1"), 0, world);
     const Scene small = scene_of(kTriangle);
-    pose(small, 0, world);
+    pose(borrow(small), 0, world);
     EXPECT_EQ(world.position.size(), 3u);
     EXPECT_EQ(world.node_matrix.size(), 1u);
     EXPECT_TRUE(world.lights.empty());

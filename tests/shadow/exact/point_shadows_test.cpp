@@ -1,4 +1,5 @@
 // point_shadows_test.cpp - the irregular z-buffer against a brute-force loop over all triangles.
+#include "scene/model/borrow.h"
 #include "shadow/exact/point_shadows.h"
 
 #include "instruction_sets.h"
@@ -84,7 +85,7 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
 {
     const Scene scene = scene_from_arrays(made.position, made.index);
     World world;
-    world.scene = &scene;
+    world.scene = borrow(scene);
     world.position = scene.position;
     const PencilSpace space = light_space(light, glm::dvec3(0));
     const auto expected = brute(world, space, made.points, made.receivers);

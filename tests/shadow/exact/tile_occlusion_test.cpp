@@ -1,4 +1,5 @@
 // tile_occlusion_test.cpp - occluder culling finds tiles under a roof, and no tile that has light.
+#include "scene/model/borrow.h"
 #include "shadow/exact/tile_occlusion.h"
 
 #include "hits/hit_position.h"
@@ -272,7 +273,7 @@ TEST(TileOcclusion, TriesTrianglesOfScenePartsWithFewTriangles)
         last.triangle_count = more;
         scene.parts.push_back(last);
         World world;
-        world.scene = &scene;
+        world.scene = borrow(scene);
         TileOcclusion tile_occlusion;
         Tasks tasks(1);
         start_tile_occlusion(world, 0, tile_occlusion, tasks);

@@ -1,0 +1,69 @@
+// frame_plan.cpp - which stages a frame of the cpu engine runs, and what is kept between them.
+#include "cpu/frame_plan.h"
+
+#include "base/tile_order.h"
+#include "exact/pencil.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace firsthit {
+namespace {
+
+/// Samples on the side of a part whose hits are kept for the lights: 100 MB, and 400 MB, so that
+/// maps are seldom made for parts.
+constexpr int kExactSide = 2048;
+constexpr int kMapSide = 4096;
+
+/// Samples on a tile's side: whole blocks and whole pixels.
+int tile_samples(int tile_size, int samples)
+{
+    const int step = std::lcm(kBlock, samples);
+    return std::min((tile_size + step - 1) / step * step, kMaxTile / step * step);
+}
+
+} // namespace
+
+FramePlan::FramePlan(const Settings& settings, std::size_t lights, bool exact_items)
+    : shadows_(settings)
+{
+    if (settings.interleave > 1) packing_.emplace(settings.interleave);
+    const std::span<const Aov> planes = settings.aovs;
+    const bool shadows = settings.shadows != Shadows::none && lights > 0;
+    const bool lit = std::find(planes.begin(), planes.end(), Aov::lit) != planes.end();
+    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
+    // not all pixels, they are a second pass.
+    const bool together = settings.samples == 1 && settings.interleave == 1;
+    if (settings.color || together)
+        add({.samples = settings.samples,
+                .color = settings.color,
+                .aovs = together ? planes : std::span<const Aov>(),
+                .shadows = shadows && (settings.color || lit),
+                .packing = packing_ ? &*packing_ : nullptr,
+                .fill = settings.color && settings.interpolate && (packing_ || !exact_items)},
+            settings.tile_size);
+    if (!together && !planes.empty())
+        add({.color = false, .aovs = planes, .shadows = shadows && lit}, settings.tile_size);
+}
+
+void FramePlan::add(PassPlan pass, int tile_size)
+{
+    const bool by_map = shadows_.shadows == Shadows::map;
+    pass.tile_size = tile_samples(tile_size, pass.samples);
+    pass.keeps_misses = !pass.aovs.empty();
+    pass.keeps_items = pass.keeps_misses || (pass.shadows && !by_map);
+    // Parts small enough for the boxes' and tiles' integers.
+    int side = std::min(kMaxPencil, 255 * pass.tile_size);
+    if (pass.shadows) side = std::min(side, by_map ? kMapSide : kExactSide);
+    pass.part_side = side / pass.tile_size * pass.tile_size / pass.samples;
+    pass_[count_++] = pass;
+}
+
+std::uint64_t FramePlan::work(const Region& region) const
+{
+    std::uint64_t sum = 0;
+    for (const PassPlan& pass : passes()) sum += pass.work(region);
+    return sum;
+}
+
+} // namespace firsthit

@@ -1,0 +1,98 @@
+// tile_stages.cpp - what a frame of the cpu engine does with each tile.
+#include "cpu/tile_stages.h"
+
+#include "base/stopwatch.h"
+#include "cpu/film_planes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace firsthit {
+namespace {
+
+/// The picture's pixel that the tile's first sample is; one sample a pixel.
+std::array<int, 2> first_pixel(const FramePart& part, std::size_t tile)
+{
+    const ViewMemory& view = part.memory.view;
+    return {part.pixels.x + int(tile) % view.tiles_x * view.tile_size,
+        part.pixels.y + int(tile) / view.tiles_x * view.tile_size};
+}
+
+TilePlace place_of(const FramePart& part, const TileTurn& turn)
+{
+    TilePlace place{
+        part.memory.view, part.pixels, part.frame.view.region, part.pass.samples, int(turn.tile)};
+    if (part.pass.fill) place.holes = part.memory.holes.of(turn.place);
+    return place;
+}
+
+} // namespace
+
+void find_items(const FramePart& part, const TileTurn& turn)
+{
+    TileWorker& worker = *part.memory.workers[turn.worker];
+    Stopwatch lap;
+    const std::span<std::uint64_t> holes = part.memory.holes.of(turn.place);
+    std::fill(holes.begin(), holes.end(), 0);
+    part.items.tile(part.memory.view, int(turn.tile), worker.items, holes, turn.worker);
+    if (part.pass.packing) {
+        const auto [x, y] = first_pixel(part, turn.tile);
+        worker.missed_count +=
+            keep_lattice(part.pass.packing->lattice(), x, y, worker.items, holes);
+    } else {
+        worker.missed_count += count_holes(holes);
+    }
+    worker.raster_ms += lap.lap_ms();
+    worker.counts.uncertain += worker.items.counts.uncertain;
+    worker.counts.ambiguous += worker.items.counts.ambiguous;
+    worker.counts.effort.exact_calls += worker.items.counts.effort.exact_calls;
+}
+
+HitTile find_hits(const FramePart& part, const TileTurn& turn)
+{
+    TileWorker& worker = *part.memory.workers[turn.worker];
+    Stopwatch lap;
+    const HitTile hits =
+        resolve_tile(part.memory.view, worker.items, part.memory.hits.of(turn.place));
+    worker.resolve_ms += lap.lap_ms();
+    worker.hit_count += count_hits(hits);
+    return hits;
+}
+
+LightVisibility light_visibility(const FramePart& part, const TileTurn& turn)
+{
+    if (!part.pass.shadows) return {};
+    FrameMemory& memory = part.memory;
+    TileWorker& worker = *memory.workers[turn.worker];
+    Stopwatch lap;
+    const LightVisibility lit =
+        light_visibility_of_tile(part.frame.world, memory.tiles, turn.tile, memory.lit, worker.lit);
+    worker.shadow_ms += lap.lap_ms();
+    return lit;
+}
+
+void shade_and_store(
+    const FramePart& part, const TileTurn& turn, const HitTile& hits, const LightVisibility& lit)
+{
+    const World& world = part.frame.world;
+    const PassPlan& pass = part.pass;
+    Film& film = part.frame.film;
+    TileWorker& worker = *part.memory.workers[turn.worker];
+    const TilePlace place = place_of(part, turn);
+    Stopwatch lap;
+    const ShadeTargets& targets = worker.shade.targets;
+    if (pass.packing) {
+        pack(*pass.packing, first_pixel(part, turn.tile), hits, lit, worker.packed);
+        shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
+        store_packed(worker.packed, place, targets, world.scene->background, film);
+    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1) {
+        store_background(place, world.scene->background, film);
+    } else {
+        shade_tile(hits, world, lit, targets);
+        store_tile(place, hits, lit, targets, film);
+    }
+    if (pass.fill) mark_holes(place, film.width, part.memory.holes.pixel.span());
+    worker.shade_ms += lap.lap_ms();
+}
+
+} // namespace firsthit
