@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # check_floors.sh - a folder includes only floors strictly below it, and itself (see ARCHITECTURE.md).
+# Of the public headers, floors below render/ see data (scenes, films, ...) and options, and the engines the
+# settings as a whole; the classes that users call are above them. Shaders name the texts that they include by
+# file name alone.
 # Usage: check_floors.sh [ROOT]. Prints each violation as file:line and exits with 1 if there is one.
 set -euo pipefail
 root=${1:-$(dirname "$0")/..}
@@ -9,15 +12,35 @@ list_files()
 {
     for folder in src include apps examples tests/consumer; do
         [ -d "$folder" ] || continue
-        find "$folder" -type f \( -name '*.h' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' -o -name '*.glsl' \) -print0
+        find "$folder" -type f \( -name '*.h' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' \
+            -o -name '*.glsl' -o -name '*.vert' -o -name '*.frag' -o -name '*.geom' -o -name '*.comp' \) -print0
     done | sort -z
 }
 
 [ -d src ] || { echo "check_floors.sh: no folder src in $root" >&2; exit 1; }
 list_files | xargs -0 -r awk '
 BEGIN {
-    split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
+    split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 frame:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
     for (k in pairs) { split(pairs[k], pair, ":"); floor_of[pair[1]] = pair[2] + 0 }
+    split("error file film frame_control npy scene stats texture view", names, " ")
+    for (k in names) is_data["firsthit/" names[k] ".h"] = 1
+    for (k = 1; k < ARGC; ++k) {
+        if (!is_shader(ARGV[k])) continue
+        n = split(ARGV[k], path, "/")
+        if (path[n] in text_room) {
+            printf "%s: there is another shader text of that name in %s\n", ARGV[k], text_file[path[n]]
+            bad = 1
+        }
+        text_room[path[n]] = path[1] == "src" ? path[2] : ""
+        text_file[path[n]] = ARGV[k]
+    }
+}
+function is_shader(file) { return file ~ /\.(glsl|vert|frag|geom|comp)$/ }
+function is_option(name) { return name ~ /^firsthit\/options\/[^\/]+$/ }
+function check_floor(target)
+{
+    if (target != room && floor_of[target] >= floor_of[room])
+        complain(target " (floor " floor_of[target] ") is not below " room " (floor " floor_of[room] ")")
 }
 function complain(why) { printf "%s:%d: %s: %s\n", FILENAME, FNR, $0, why; bad = 1 }
 FNR == 1 {
@@ -37,14 +60,30 @@ FNR == 1 {
     target = name
     sub(/\/.*/, "", target)
     if (name ~ /(^|\/)\.\.(\/|$)/ || name ~ /^\//) { complain("no path leads upwards or from the root"); next }
+    if (is_shader(FILENAME)) {
+        if (!(name in text_room)) complain("no shader text has this name")
+        else if (!(text_room[name] in floor_of)) complain("this text is not in src/")
+        else check_floor(text_room[name])
+        next
+    }
     if (path[1] == "src" && (room in floor_of)) {
-        if (target == "firsthit") next
+        if (target == "firsthit") {
+            if (room == "render" || name in is_data || is_option(name)) next
+            if (name == "firsthit/settings.h" && floor_of[room] >= floor_of["cpu"]) next
+            complain(name == "firsthit/settings.h" ? "below the engines only options are seen" : "below render only data and options are seen")
+            next
+        }
         if (target in floor_of) {
-            if (target != room && floor_of[target] >= floor_of[room])
-                complain(target " (floor " floor_of[target] ") is not below " room " (floor " floor_of[room] ")")
+            check_floor(target)
             if (!quoted) complain("a private header is included in quotes")
         } else if (quoted) complain("a private header is named from src/")
         next
+    }
+    # Data is made of data, options of options and data.
+    if (path[1] == "include" && target == "firsthit" && !(name in is_data)) {
+        own = substr(FILENAME, length("include/") + 1)
+        if (own in is_data) { complain("a header of data sees only such"); next }
+        if (is_option(own) && !is_option(name)) { complain("a header of options sees only options and data"); next }
     }
     # The others see the public headers only. An app also includes its own files, by their plain names or
     # as bench/....
