@@ -164,7 +164,8 @@ void test_light(
     if (light.kind == Light::Kind::spot) cone = spot_cone(light);
     Stopwatch watch;
     if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
-        std::fill_n(&visibility.words[visibility.first_word(l, 0)], visibility.tiles * visibility.blocks, std::uint64_t(0));
+        std::fill_n(&visibility.words[visibility.first_word(l, 0)],
+            visibility.tiles * visibility.blocks, std::uint64_t(0));
         memory.effort.collect_ms += watch.lap_ms();
         return;
     }
@@ -199,8 +200,8 @@ void test_light(
 
 } // namespace
 
-void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks, LitBits& visibility,
-    const StageProgress& progress)
+void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks,
+    LitBits& visibility, const StageProgress& progress)
 {
     const std::span<const HitTile> tiles = seen.tiles;
     const std::size_t lights = seen.world.lights.size();

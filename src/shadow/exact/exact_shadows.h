@@ -92,8 +92,9 @@ LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>&
 /// The hits whose light visibility is asked for.
 struct SeenTiles {
     const World& world;
-    const glm::dvec3& eye;             // where the hits were seen from
-    std::span<const HitTile> tiles;    // of one picture part; all of one size, their items in one array
+    const glm::dvec3& eye; // where the hits were seen from
+    std::span<const HitTile>
+        tiles; // of one picture part; all of one size, their items in one array
     TileOcclusion* tile_occlusion = nullptr; // of these tiles, with occluders; or null.
                                              // Tiles that it hides are not tested
 };
