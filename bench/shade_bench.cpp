@@ -98,9 +98,9 @@ struct ShadedPicture {
     {
         HitTile tile;
         tile.size = kTile;
-        tile.frame.inv_f = 1.0f / 1000.0f;
-        tile.frame.world_from_eye[1].y = -1;
-        tile.frame.world_from_eye[2].z = -1;
+        tile.rays.step_x = tile.rays.step_y = 1.0f / 1000.0f;
+        tile.rays.down.y = -1;
+        tile.rays.forward.z = -1;
         tile.t = t;
         tile.u = u;
         tile.v = v;

@@ -14,19 +14,15 @@ EmbreeTile tile_of(const TileLayout& view, const EmbreeRays& answers, int tile)
 {
     const Pencil& pencil = view.pencil;
     const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
-    EmbreeTile rays;
-    rays.scene = answers.tree.scene();
-    rays.first_triangle = answers.tree.first_triangle();
-    rays.packet = answers.packet;
-    rays.size = view.tile_size;
-    rays.width = std::min(view.tile_size, pencil.width - x);
-    rays.height = std::min(view.tile_size, pencil.height - y);
-    rays.frame.x0 = float(pencil.x0 + x);
-    rays.frame.y0 = float(pencil.y0 + y);
-    rays.frame.inv_f = float(1 / pencil.f);
-    rays.frame.eye = glm::vec3(pencil.eye);
-    rays.frame.world_from_eye = glm::mat3(pencil.world_from_axes);
-    return rays;
+    EmbreeTile to_shoot;
+    to_shoot.scene = answers.tree.scene();
+    to_shoot.first_triangle = answers.tree.first_triangle();
+    to_shoot.packet = answers.packet;
+    to_shoot.size = view.tile_size;
+    to_shoot.width = std::min(view.tile_size, pencil.width - x);
+    to_shoot.height = std::min(view.tile_size, pencil.height - y);
+    to_shoot.rays = world_rays(pencil, pencil.tile(x, y));
+    return to_shoot;
 }
 
 void prepare(const FrameContext& frame, const Settings& settings, EmbreeFrameMemory& memory)

@@ -169,9 +169,9 @@ std::size_t project_by_face(
 {
     HitTile hits;
     hits.size = tile.size;
-    hits.frame = tile.frame;
+    hits.rays = tile.rays;
     const int blocks_x = tile.size / kBlock, blocks = blocks_x * blocks_x;
-    EyePackets<kRays> packets(tile.frame.eye);
+    EyePackets<kRays> packets(tile.rays.eye);
     std::size_t runs = 0;
     for (int block = 0; block < blocks; ++block) {
         const BlockRays rays = block_rays(hits, std::uint32_t(block));
@@ -228,14 +228,14 @@ HitTile see_embree(const EmbreeTile& tile, const HitPlaces& places, std::span<co
 {
     memory.side.resize(lights.size());
     for (std::size_t l = 0; l < lights.size(); ++l)
-        memory.side[l] = side_of(lights[l], tile.frame.eye);
+        memory.side[l] = side_of(lights[l], tile.rays.eye);
     const std::size_t blocks = std::size_t(tile.size / kBlock) * std::size_t(tile.size / kBlock);
     memory.facing.resize(lights.size() * blocks);
     std::fill_n(memory.facing.data(), memory.facing.size(), std::uint64_t(0));
     const std::size_t runs = HWY_DYNAMIC_DISPATCH(see)(tile, places, memory);
     HitTile hits;
     hits.size = tile.size;
-    hits.frame = tile.frame;
+    hits.rays = tile.rays;
     hits.runs = std::span<const HitRun>(places.run, runs);
     hits.covered = places.covered;
     hits.item = places.item;

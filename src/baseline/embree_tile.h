@@ -26,7 +26,7 @@ struct EmbreeTile {
     int packet = 8;                                // rays in a packet: 8, 4x2 pixels, or 16, 4x4
     int size = 64;                                 // samples on a side
     int width = 0, height = 0;                     // of its part that lies in the picture
-    TileFrame frame;
+    Rays rays;                                     // from the eye, in world space
 };
 
 /// What the side of a triangle that a light sees is found by.

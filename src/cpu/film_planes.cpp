@@ -105,17 +105,22 @@ void average_color(const PixelRect& rect, const TilePlace& place,
 }
 
 /// Euclidean distances from depths along the axis.
-void store_distance(const PixelRect& rect, const HitTile& hits, int film_width, float* to)
+///
+/// shear  Pencil::shear
+void store_distance(
+    const PixelRect& rect, const HitTile& hits, const glm::dvec3& shear, int film_width, float* to)
 {
-    const double inv_f = hits.frame.inv_f;
+    const Rays& rays = hits.rays;
+    const double step_x = rays.step_x, step_y = rays.step_y;
     const int blocks_x = hits.size / kBlock;
     for_quads(rect, film_width, hits.size, [&](std::size_t pixel, int offset, int count) {
         for (int k = 0; k < count; ++k, ++pixel, ++offset) {
             const int in_block = offset % kBlockSamples, block = offset / kBlockSamples;
             const int x = block % blocks_x * kBlock + block_x(in_block);
             const int y = block / blocks_x * kBlock + block_y(in_block);
-            const double dx = (double(hits.frame.x0) + x) * inv_f;
-            const double dy = (double(hits.frame.y0) + y) * inv_f;
+            const double along_y = (double(rays.y0) + y) * step_y;
+            const double dx = (double(rays.x0) + x) * step_x + (along_y * shear.x + shear.y);
+            const double dy = along_y + shear.z;
             to[pixel] = float(hits.t[offset] * std::sqrt(1 + dx * dx + dy * dy));
         }
     });
@@ -138,7 +143,7 @@ void store_lit(const PixelRect& rect, const HitTile& hits, const LightVisibility
 }
 
 /// Planes that come from the hit itself.
-void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
+void store_hits(const PixelRect& rect, const HitTile& hits, const Pencil& pencil, Film& film)
 {
     if (!film.item.empty()) {
         static_assert(sizeof(std::uint32_t) == sizeof(float));
@@ -154,7 +159,7 @@ void store_hits(const PixelRect& rect, const HitTile& hits, Film& film)
         copy_plane(rect, film, hits.size, weight, film[Aov::barycentric].value.data());
     }
     if (!film[Aov::distance].empty())
-        store_distance(rect, hits, film.width, film[Aov::distance].value.data());
+        store_distance(rect, hits, pencil.shear, film.width, film[Aov::distance].value.data());
 }
 
 } // namespace
@@ -200,7 +205,7 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibili
     };
     if (place.samples == 1) {
         copy_shaded(shaded.color, film.color);
-        store_hits(rect, hits, film);
+        store_hits(rect, hits, place.view.pencil, film);
         if (!film[Aov::lit].empty()) store_lit(rect, hits, lit, film.width, film[Aov::lit]);
     } else if (shaded.color[0]) {
         const std::array<const float*, 3> color{shaded.color[0], shaded.color[1], shaded.color[2]};

@@ -4,21 +4,54 @@
 #include <firsthit/view.h>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace firsthit {
 
+/// Samples from a first one on, that of a pencil, a tile or a block: the ray of sample (x, y) has the
+/// direction (x0 + x, y0 + y, 1) in eye space. Exact: multiples of 1/2 below 2^22.
+struct LatticeTile {
+    float x0 = 0;
+    float y0 = 0;
+
+    /// The samples from (x, y) on.
+    constexpr LatticeTile from(int x, int y) const { return {x0 + float(x), y0 + float(y)}; }
+
+    constexpr glm::vec3 direction(int x, int y) const
+    {
+        return {x0 + float(x), y0 + float(y), 1.0f};
+    }
+
+    /// No |x| and |y| of the directions of width x height samples are greater, nor of one sample more.
+    glm::dvec2 reach(int width, int height) const
+    {
+        const double x = x0, y = y0;
+        return {std::max(std::abs(x), std::abs(x + width)),
+            std::max(std::abs(y), std::abs(y + height))};
+    }
+};
+
 /// A rectangle of the samples of a picture, and the space in which their rays are exact.
 ///
-/// Eye space is the camera's frame (x right, y down, z forward) with x and y multiplied by f, the
-/// focal length in samples. There the ray of sample (i, j) of the rectangle has the direction
-/// (x0 + i, y0 + j, 1): multiples of 1/2, exact in float. Depth along the axis is z.
+/// Eye space is the camera's frame (x right, y down, z forward) with x and y multiplied by the focal
+/// lengths in samples, and sheared where the camera has a skew, or a principal point that lies at
+/// no half sample: (f.x x + skew y + r.x z, f.y y + r.y z, z), r what is left of the principal point
+/// when whole half samples are taken out of it. There the ray of sample (i, j) of the rectangle has
+/// the direction (x0 + i, y0 + j, 1): multiples of 1/2, exact in float. Depth along the axis is z.
 struct Pencil {
     glm::dvec3 eye{0};
-    glm::dmat3 eye_from_world{1};  // rows: f * right, f * down, forward
-    glm::dmat3 world_from_axes{1}; // columns: right, down, forward; orthonormal
-    double f = 1;                  // in samples
-    int width = 0;                 // samples in the rectangle
+    glm::dmat3 eye_from_world{1};
+    /// Columns: right, down, forward. The ray of (X, Y, 1) of eye space goes along X / f.x right + Y /
+    /// f.y down + forward in world space. Orthonormal unless the pencil is sheared.
+    glm::dmat3 world_from_axes{1};
+    glm::dvec2 f{1}; // in samples
+    /// In the camera's frame, down is (shear.x, 1, 0) and forward is (shear.y, shear.z, 1).
+    glm::dvec3 shear{0};
+    int width = 0; // samples in the rectangle
     int height = 0;
     double x0 = 0; // direction of its first sample
     double y0 = 0;
@@ -28,6 +61,9 @@ struct Pencil {
     /// camera. All points have to have z < far.
     bool parallel = false;
     double far = 0;
+
+    /// The samples from (x, y) of the rectangle on.
+    LatticeTile tile(int x, int y) const { return {float(x0 + x), float(y0 + y)}; }
 };
 
 /// The widest and highest rectangle that is rasterised at once, in samples.
@@ -35,8 +71,8 @@ inline constexpr int kMaxPencil = 8192;
 
 /// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which
 /// are the pixel rays of a picture `samples` times as wide and high.
-/// throws  ArgumentError: a camera without a direction, or a field of view out of range: not
-///         between 0 and pi, or so small that f is above 1e15
+/// throws  ArgumentError: a camera without a direction; a field of view, focal length, principal point or
+///         skew out of range (firsthit/view.h); or f above 1e15 samples
 Pencil pencil_of(const View& view, const Region& region, int samples);
 
 } // namespace firsthit

@@ -63,17 +63,11 @@ HitTest hit_test(Multisample multisample)
     return HitTest::test_item;
 }
 
-FrameData frame_data(const World& world, const Settings& settings, const Pencil& pencil,
-    const SampleFrame& frame, const Region& part)
+FrameData frame_data(
+    const World& world, const Settings& settings, const Pencil& pencil, const Region& part)
 {
-    const glm::mat3& axes = frame.world_from_eye;
-    FrameData data{.eye = frame.eye,
-        .inv_f = frame.inv_f,
-        .right = axes[0],
-        .first_x = float(pencil.x0),
-        .down = axes[1],
-        .first_y = float(pencil.y0),
-        .forward = axes[2],
+    FrameData data{.rays = world_rays(pencil, pencil.tile(0, 0)),
+        .shear = glm::vec3(pencil.shear),
         .lights = std::int32_t(world.lights.size()),
         .background = world.scene->background,
         .reach = reach_of(settings.multisample),
@@ -118,22 +112,21 @@ double GpuFrame::stage_ms()
     return watch_.lap_ms();
 }
 
-void GpuFrame::find_shadows(const Job& job, const SampleFrame& frame, bool stored)
+void GpuFrame::find_shadows(const Job& job, const Rays& rays, bool stored)
 {
     if (job.sources.maps) {
-        shadows_.use_maps(job.world(), *job.sources.maps, frame, context_.info().max_storage_bytes);
+        shadows_.use_maps(job.world(), *job.sources.maps, rays, context_.info().max_storage_bytes);
         return;
     }
     bounds_.resize(job.world().lights.size());
     passes_.find_bounds(stored, bounds_);
-    shadows_.update_maps({job.world(), job.settings, scene_, frame, bounds_},
+    shadows_.update_maps({job.world(), job.settings, scene_, rays, bounds_},
         context_.info().max_storage_bytes, job.context.tasks);
 }
 
 void GpuFrame::render_part(const Job& job, const Part& part)
 {
     const Pencil pencil = pencil_of(job.context.view, part.pixels, part.samples);
-    const SampleFrame frame = sample_frame(pencil);
     const auto stage_done = [&](double& ms) {
         ms += stage_ms();
         job.context.add(part.sample_count(), 0);
@@ -151,7 +144,7 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     stage_done(job.stats.raster_ms);
 
     // Where exactly?
-    FrameData data = frame_data(job.world(), job.settings, pencil, frame, part.pixels);
+    FrameData data = frame_data(job.world(), job.settings, pencil, part.pixels);
     if (!part.color) data.interleave = 1;
     passes_.start(data, {.test = hit_test(job.settings.multisample),
                             .item_channels = channels_of(items.format),
@@ -168,8 +161,9 @@ void GpuFrame::render_part(const Job& job, const Part& part)
     stage_done(job.stats.resolve_ms);
 
     // Which lights reach it?
-    shadows_.set_lights(job.world(), frame);
-    if (job.shadows) find_shadows(job, frame, stored);
+    const Rays eye_rays = world_rays(pencil, {}); // of (X, Y, 1) in eye space
+    shadows_.set_lights(job.world(), eye_rays);
+    if (job.shadows) find_shadows(job, eye_rays, stored);
     stage_done(job.stats.shadow_ms);
 
     // What colour is it?

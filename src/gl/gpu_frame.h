@@ -59,7 +59,7 @@ class GpuFrame {
     struct Pass;
     void render_pass(const Job& job, const Pass& pass);
     void render_part(const Job& job, const Part& part);
-    void find_shadows(const Job& job, const SampleFrame& frame, bool stored);
+    void find_shadows(const Job& job, const Rays& rays, bool stored);
     void read_planes(const Job& job, const Part& part, bool stored);
     double stage_ms();
     /// Of the scene so far.

@@ -21,35 +21,36 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
     return real3(v.x, v.y, v.z);
 }
 
-/// The rays of one block of a tile.
+/// The rays of one block of a tile (exact/rays.h), each number in all lanes.
 struct BlockRays {
     real x0, y0;                   // of the block's origin
     const BlockSamplesXY* samples; // from there
-    real inv_f;
+    real step_x, step_y;
     real3 eye, right, down, forward;
 };
 
 FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
 {
     const std::uint32_t blocks_x = static_cast<std::uint32_t>(hits.size / kBlock);
-    const TileFrame& frame = hits.frame;
+    const Rays& tile = hits.rays;
     BlockRays rays;
     // Exact, as are all sample positions: multiples of 1/2 below 2^22.
     if (hits.packed) {
         const BlockPlace& place = hits.places[block];
-        rays.x0 = frame.x0 + place.x;
-        rays.y0 = frame.y0 + place.y;
+        rays.x0 = tile.x0 + place.x;
+        rays.y0 = tile.y0 + place.y;
         rays.samples = place.samples;
     } else {
-        rays.x0 = frame.x0 + static_cast<float>(block % blocks_x * kBlock);
-        rays.y0 = frame.y0 + static_cast<float>(block / blocks_x * kBlock);
+        rays.x0 = tile.x0 + static_cast<float>(block % blocks_x * kBlock);
+        rays.y0 = tile.y0 + static_cast<float>(block / blocks_x * kBlock);
         rays.samples = &kBlockSamplesXY;
     }
-    rays.inv_f = frame.inv_f;
-    rays.eye = from_glm(frame.eye);
-    rays.right = from_glm(frame.world_from_eye[0]);
-    rays.down = from_glm(frame.world_from_eye[1]);
-    rays.forward = from_glm(frame.world_from_eye[2]);
+    rays.step_x = tile.step_x;
+    rays.step_y = tile.step_y;
+    rays.eye = from_glm(tile.eye);
+    rays.right = from_glm(tile.right);
+    rays.down = from_glm(tile.down);
+    rays.forward = from_glm(tile.forward);
     return rays;
 }
 
@@ -57,7 +58,8 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
 FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
 {
     return ray_direction(rays.x0 + load(rays.samples->x + first),
-        rays.y0 + load(rays.samples->y + first), rays.inv_f, rays.right, rays.down, rays.forward);
+        rays.y0 + load(rays.samples->y + first), rays.step_x, rays.step_y, rays.right, rays.down,
+        rays.forward);
 }
 
 } // namespace HWY_NAMESPACE

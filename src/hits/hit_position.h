@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/scalar_real.h"
-#include "hits/hit_tile.h"
+#include "exact/rays.h"
 
 namespace firsthit {
 
@@ -18,18 +18,18 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
 }
 
 /// The direction of sample (x, y) of the tile, whole numbers from 0.
-FIRSTHIT_PURE real3 ray_direction(const TileFrame& frame, real x, real y)
+FIRSTHIT_PURE real3 ray_direction(const Rays& rays, real x, real y)
 {
-    return ray_direction(frame.x0 + x, frame.y0 + y, frame.inv_f, from_glm(frame.world_from_eye[0]),
-        from_glm(frame.world_from_eye[1]), from_glm(frame.world_from_eye[2]));
+    return ray_direction(rays.x0 + x, rays.y0 + y, rays.step_x, rays.step_y, from_glm(rays.right),
+        from_glm(rays.down), from_glm(rays.forward));
 }
 } // namespace scalar
 
 /// The point that sample (x, y) of the tile sees at depth t.
-inline glm::vec3 hit_position(const TileFrame& frame, float x, float y, float t)
+inline glm::vec3 hit_position(const Rays& rays, float x, float y, float t)
 {
     const scalar::real3 p =
-        scalar::hit_position(scalar::from_glm(frame.eye), scalar::ray_direction(frame, x, y), t);
+        scalar::hit_position(scalar::from_glm(rays.eye), scalar::ray_direction(rays, x, y), t);
     return {p.x, p.y, p.z};
 }
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "base/tile_order.h"
+#include "exact/rays.h"
 #include "hits/block_samples.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <cstdint>
@@ -30,16 +29,6 @@ struct HitRun {
 };
 static_assert(sizeof(HitRun) == 32, "two in a cache line");
 
-/// How samples become world space. The ray of sample (x, y) of the tile is
-/// ((x0 + x) / f, (y0 + y) / f, 1) in a frame with x right, y down, z forward.
-struct TileFrame {
-    float x0 = 0; // of the tile's first sample; a multiple of 1/2, exact
-    float y0 = 0;
-    float inv_f = 1;             // 1 / f, f in samples
-    glm::vec3 eye{0};            // world space
-    glm::mat3 world_from_eye{1}; // columns: right, down, forward; orthonormal
-};
-
 /// Where the samples of a block are, where that is not a square of 8x8 in its turn.
 struct BlockPlace {
     float x = 0, y = 0;                      // of its origin, in samples from the tile's first one
@@ -51,7 +40,7 @@ struct BlockPlace {
 /// all, everything is undefined (HitMemory::misses).
 struct HitTile {
     int size = 64; // samples on a side
-    TileFrame frame;
+    Rays rays;     // in world space
     std::span<const HitRun> runs;
     const std::uint64_t* covered = nullptr; // (blocks) samples with an item, a bit each; or null
     const std::uint32_t* item = nullptr;    // (size * size), or null

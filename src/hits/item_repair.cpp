@@ -26,7 +26,6 @@ struct Repair {
     const PictureWindow& window;
     ItemTile& out;
     std::span<std::uint64_t> holes;
-    TileRays rays;
     RayTests tests;
     /// Full: samples that have an item so far, a word for each block.
     std::uint64_t found[(kMaxTile / kBlock) * (kMaxTile / kBlock)];
@@ -36,8 +35,7 @@ struct Repair {
         : view(memory),
           window(picture),
           out(tile),
-          holes(missed),
-          rays(tile)
+          holes(missed)
     {
     }
 
@@ -61,9 +59,9 @@ struct Repair {
     template <class Use>
     void run_tests(const Use& use)
     {
-        set_up_tests(view, rays, tests);
+        set_up_tests(view, out, tests);
         for (int i = 0; i < tests.count; ++i)
-            use(tests.test[i], hit_samples(tests, i, rays, effort()));
+            use(tests.test[i], hit_samples(tests, i, out, effort()));
         tests.count = 0;
     }
 
@@ -99,7 +97,7 @@ struct Repair {
     /// Nearest hit of the sample's neighbours, or kNoItem.
     std::uint32_t nearest_neighbour(std::uint32_t block, int sample, int reach)
     {
-        const glm::vec3 d = rays.direction(block, sample);
+        const glm::vec3 d = direction_of(out, block, sample);
         const int x = int(block) % out.blocks_x() * kBlock + block_x(sample);
         const int y = int(block) / out.blocks_x() * kBlock + block_y(sample);
         std::uint32_t tested[25] = {window.at(x, y)}; // it has missed
@@ -142,7 +140,7 @@ struct Repair {
             item[std::countr_zero(rest)] = test.triangle;
         for (; rivals; rivals &= rivals - 1) {
             const int sample = std::countr_zero(rivals);
-            if (is_nearer(test.triangle, item[sample], rays.direction(test.block, sample)))
+            if (is_nearer(test.triangle, item[sample], direction_of(out, test.block, sample)))
                 item[sample] = test.triangle;
         }
     }
@@ -223,8 +221,7 @@ void repair_tile_items(const ViewMemory& view, std::span<const std::uint32_t> pi
     Multisample mode, ItemTile& out, std::span<std::uint64_t> holes)
 {
     const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
-    out.x0 = float(view.pencil.x0 + x);
-    out.y0 = float(view.pencil.y0 + y);
+    out.rays = view.pencil.tile(x, y);
     out.counts = {};
     const PictureWindow window(picture, view.pencil.width, view.pencil.height, x, y);
     HWY_DYNAMIC_DISPATCH(repair)(view, window, mode, out, holes);

@@ -50,9 +50,8 @@ class DoubtfulTriangles {
   public:
     explicit DoubtfulTriangles(const ItemTile& items)
     {
-        const double end = items.size, x = items.x0, y = items.y0;
-        const double reach =
-            std::max({1.0, std::abs(x), std::abs(x + end), std::abs(y), std::abs(y + end)});
+        const glm::dvec2 most = items.rays.reach(items.size, items.size);
+        const double reach = std::max({1.0, most.x, most.y});
         reach2_ = reach * reach;
     }
 
@@ -81,11 +80,7 @@ class DoubtfulTriangles {
 /// From a plane over samples (see Planes) to one in world space.
 class WorldPlanes {
   public:
-    explicit WorldPlanes(const Pencil& pencil) : axes_(pencil.world_from_axes)
-    {
-        axes_[0] *= pencil.f;
-        axes_[1] *= pencil.f;
-    }
+    explicit WorldPlanes(const Pencil& pencil) : axes_(glm::transpose(pencil.eye_from_world)) {}
 
     /// HitRun::plane of number i to i + kHitLanes - 1; 0 where the triangle has no area or the eye is in
     /// its plane.
@@ -119,34 +114,18 @@ class WorldPlanes {
     glm::dmat3 axes_; // columns: of n.x, n.y, n.z
 };
 
-/// The rays of one block's samples.
-struct BlockOfRays {
-    double x0, y0; // of its first sample
-    int offset;    // of its first sample, in the tile
-
-    BlockOfRays(const ItemTile& items, int block)
-        : x0(double(items.x0) + block % items.blocks_x() * kBlock),
-          y0(double(items.y0) + block / items.blocks_x() * kBlock),
-          offset(block * kBlockSamples)
-    {
-    }
-
-    glm::vec3 direction(int sample) const
-    {
-        return {float(x0 + block_x(sample)), float(y0 + block_y(sample)), 1.0f};
-    }
-};
-
-/// Writes the hits of the chosen samples, bit k for sample `first` + k.
-HWY_INLINE void meet(const LanePlanes& planes, const BlockOfRays& rays, int first,
+/// Writes the hits of the chosen samples, bit k for sample `first` + k of the block.
+///
+/// rays  of the block
+HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays, int block, int first,
     std::uint64_t samples, const HitPlaces& places)
 {
     const Doubles d;
     const Floats f;
-    const auto x =
-        hn::Add(hn::Set(d, rays.x0), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.x + first)));
-    const auto y =
-        hn::Add(hn::Set(d, rays.y0), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.y + first)));
+    const auto x = hn::Add(
+        hn::Set(d, double(rays.x0)), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.x + first)));
+    const auto y = hn::Add(
+        hn::Set(d, double(rays.y0)), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.y + first)));
     const auto at_sample = [&](const Vector3<DoubleLanes>& n) {
         return hn::Add(hn::Add(hn::Mul(n.x, x), hn::Mul(n.y, y)), n.z);
     };
@@ -157,7 +136,7 @@ HWY_INLINE void meet(const LanePlanes& planes, const BlockOfRays& rays, int firs
         return hn::Min(hn::Max(w, hn::Zero(f)), hn::Set(f, 1.0f));
     };
     const auto u = weight(planes.edge1), v = weight(planes.edge2);
-    const int at = rays.offset + first;
+    const int at = block * kBlockSamples + first;
     if (samples == kAllHitLanes) {
         hn::Store(t, f, places.t + at);
         hn::Store(u, f, places.u + at);
@@ -176,8 +155,10 @@ HWY_INLINE void meet(const LanePlanes& planes, const BlockOfRays& rays, int firs
 }
 
 /// Makes a run right whose triangle is doubtful: hits, the eye's side and the plane.
+///
+/// rays  of the run's block
 HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
-    const BlockOfRays& rays, HitRun& run, const HitPlaces& places)
+    const LatticeTile& rays, HitRun& run, const HitPlaces& places)
 {
     const CarefulHit careful(corners);
     run.eye_side = std::int16_t(careful.eye_side());
@@ -189,8 +170,8 @@ HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
     run.plane = plane[0];
     for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
         const int sample = std::countr_zero(rest);
-        const glm::vec3 direction = rays.direction(sample);
-        const auto at = std::size_t(rays.offset + sample);
+        const glm::vec3 direction = rays.direction(block_x(sample), block_y(sample));
+        const auto at = std::size_t(run.block * kBlockSamples + sample);
         const CarefulHit::Plain plain = careful.plain(direction);
         if (!plain.depth) places.t[at] = float(careful.depth(direction));
         if (plain.weights) continue;

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -53,31 +52,13 @@ struct RayTests {
     }
 };
 
-/// The rays of a tile: of sample (x, y), (x0 + x, y0 + y, 1).
-struct TileRays {
-    double x0, y0;
-    double most_x, most_y; // the largest |x0 + x|, |y0 + y|
-    int blocks_x;
+inline glm::vec3 direction_of(const ItemTile& tile, std::uint32_t block, int sample)
+{
+    return tile.block_rays(int(block)).direction(block_x(sample), block_y(sample));
+}
 
-    explicit TileRays(const ItemTile& tile)
-        : x0(double(tile.x0)),
-          y0(double(tile.y0)),
-          most_x(std::max(std::abs(x0), std::abs(x0 + tile.size))),
-          most_y(std::max(std::abs(y0), std::abs(y0 + tile.size))),
-          blocks_x(tile.blocks_x())
-    {
-    }
-
-    glm::vec3 direction(std::uint32_t block, int sample) const
-    {
-        const auto blocks = std::uint32_t(blocks_x);
-        return {float(x0 + block % blocks * kBlock + block_x(sample)),
-            float(y0 + block / blocks * kBlock + block_y(sample)), 1.0f};
-    }
-};
-
-/// Fetches the triangles and sets them up.
-HWY_INLINE void set_up_tests(const ViewMemory& view, const TileRays& rays, RayTests& tests)
+/// Fetches the triangles and sets them up for the tile's rays.
+HWY_INLINE void set_up_tests(const ViewMemory& view, const ItemTile& tile, RayTests& tests)
 {
     for (int i = 0; i < tests.count; ++i) {
         const glm::uvec3 index = view.index[tests.test[i].triangle];
@@ -91,7 +72,8 @@ HWY_INLINE void set_up_tests(const ViewMemory& view, const TileRays& rays, RayTe
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> f;
     using V = hn::Vec<decltype(d)>;
-    const V most_x = hn::Set(d, rays.most_x), most_y = hn::Set(d, rays.most_y);
+    const glm::dvec2 reach = tile.rays.reach(tile.size, tile.size);
+    const V most_x = hn::Set(d, reach.x), most_y = hn::Set(d, reach.y);
     tests.usable = tests.certain = 0;
     for (int i = 0; i < tests.count; i += int(hn::Lanes(d))) {
         auto farthest = hn::Zero(f);
@@ -124,7 +106,7 @@ HWY_INLINE void set_up_tests(const ViewMemory& view, const TileRays& rays, RayTe
 
 /// The samples of test i that its triangle is hit by, a bit each.
 HWY_INLINE std::uint64_t hit_samples(
-    const RayTests& tests, int i, const TileRays& rays, Effort& effort)
+    const RayTests& tests, int i, const ItemTile& tile, Effort& effort)
 {
     const RayTest& test = tests.test[i];
     if (!(tests.usable >> i & 1)) return 0;
@@ -133,9 +115,8 @@ HWY_INLINE std::uint64_t hit_samples(
         const hn::CappedTag<double, 8> d;
         const hn::Rebind<float, decltype(d)> f;
         const int lanes = int(hn::Lanes(d));
-        const auto blocks = std::uint32_t(rays.blocks_x);
-        const auto x0 = hn::Set(d, rays.x0 + test.block % blocks * kBlock);
-        const auto y0 = hn::Set(d, rays.y0 + test.block / blocks * kBlock);
+        const LatticeTile rays = tile.block_rays(int(test.block));
+        const auto x0 = hn::Set(d, double(rays.x0)), y0 = hn::Set(d, double(rays.y0));
         const std::uint64_t all = (std::uint64_t(1) << lanes) - 1;
         std::uint64_t missed = 0;
         for (std::uint64_t rest = test.samples; rest;) {
@@ -162,7 +143,7 @@ HWY_INLINE std::uint64_t hit_samples(
     }
     for (; open; open &= open - 1) { // seldom
         const int sample = std::countr_zero(open);
-        if (is_hit(tests.corners(i), rays.direction(test.block, sample), effort))
+        if (is_hit(tests.corners(i), direction_of(tile, test.block, sample), effort))
             hits |= std::uint64_t(1) << sample;
     }
     return hits;

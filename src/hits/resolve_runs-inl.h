@@ -58,7 +58,7 @@ HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
     const WorldPlanes& world, const DoubtfulTriangles& doubtful, std::span<HitRun> runs,
     const HitPlaces& places)
 {
-    const BlockOfRays rays(items, runs[0].block);
+    const LatticeTile rays = items.block_rays(runs[0].block);
     RunPlanes table;
     set_up_planes(view, world, doubtful, runs, table);
     std::uint64_t covered = 0;
@@ -80,7 +80,7 @@ HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
         };
         const LanePlanes planes{
             pick3(table.n), pick3(table.edge1), pick3(table.edge2), pick(table.volume)};
-        meet(planes, rays, first, samples, places);
+        meet(planes, rays, runs[0].block, first, samples, places);
     }
     // Lanes beyond the last run have the first one's triangle.
     for (std::uint64_t rest = table.doubtful & ((std::uint64_t(1) << runs.size()) - 1); rest;

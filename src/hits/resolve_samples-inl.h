@@ -72,8 +72,9 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
     const HitPlaces& places)
 {
     const Doubles d;
-    const BlockOfRays rays(items, runs[0].block);
-    const std::uint32_t* item = items.item.data() + rays.offset;
+    const int block = runs[0].block;
+    const LatticeTile rays = items.block_rays(block);
+    const std::uint32_t* item = items.item.data() + block * kBlockSamples;
     std::uint64_t covered = 0, open = 0;
     for (const HitRun& run : runs) covered |= run.samples;
 
@@ -93,7 +94,7 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
         const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
         hn::Store(p.volume, d, volume + first);
         world.store(p.n, p.volume, plane, first);
-        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, first, samples, places);
+        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, block, first, samples, places);
         open |= (doubtful.find(v0, v1, v2, p.volume) & samples) << first;
     }
     for (HitRun& run : runs) {

@@ -158,11 +158,11 @@ void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPla
         HitRun& run = *batch.run[i];
         run.eye_side = side_of(batch.volume[i]);
         run.plane = batch.plane[i];
-        const BlockOfRays rays(items, run.block);
+        const LatticeTile rays = items.block_rays(run.block);
         const LanePlanes planes = batch.planes(i);
         for (int first = 0; first < kBlockSamples; first += kHitLanes) {
             const std::uint64_t samples = run.samples >> first & kAllHitLanes;
-            if (samples != 0) meet(planes, rays, first, samples, places);
+            if (samples != 0) meet(planes, rays, run.block, first, samples, places);
         }
         if (batch.doubtful >> i & 1) [[unlikely]]
             settle_run(batch.corners(i), world, rays, run, places);
@@ -254,11 +254,7 @@ HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPla
     const std::size_t runs = HWY_DYNAMIC_DISPATCH(resolve)(view, items, places);
     HitTile hits;
     hits.size = items.size;
-    hits.frame.x0 = items.x0;
-    hits.frame.y0 = items.y0;
-    hits.frame.inv_f = float(1 / view.pencil.f);
-    hits.frame.eye = glm::vec3(view.pencil.eye);
-    hits.frame.world_from_eye = glm::mat3(view.pencil.world_from_axes);
+    hits.rays = world_rays(view.pencil, items.rays);
     hits.runs = std::span<const HitRun>(places.run, runs);
     hits.covered = places.covered;
     hits.item = places.items ? places.item : nullptr;

@@ -101,7 +101,7 @@ void cast_row(const EyeTriangles& triangles, const std::vector<FacedTriangle>& f
             const int a = triangle.edge[0].side(dx, dy), b = triangle.edge[1].side(dx, dy),
                       c = triangle.edge[2].side(dx, dy);
             if (a < 0 || b < 0 || c < 0) continue;
-            const glm::vec3 d{float(dx), float(dy), 1.0f};
+            const glm::vec3 d = pencil.tile(0, 0).direction(x, y);
             if (!(a > 0 && b > 0 && c > 0) && !is_hit(triangles[triangle.id], d, effort)) continue;
             keep_nearest(triangles, triangle.id, d, row[std::size_t(x)], effort);
         }
@@ -122,8 +122,7 @@ std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effo
 glm::vec3 direction_of(const Pencil& pencil, std::size_t sample)
 {
     const std::size_t width = std::size_t(pencil.width);
-    return {
-        float(pencil.x0 + double(sample % width)), float(pencil.y0 + double(sample / width)), 1.0f};
+    return pencil.tile(0, 0).direction(int(sample % width), int(sample / width));
 }
 
 bool is_tie(const EyeTriangles& triangles, std::uint32_t a, std::uint32_t b, const glm::vec3& d)

@@ -78,9 +78,10 @@ void cast_packet(RTCScene scene, RTCIntersectContext& context, const Pencil& pen
         const int x = x0 + k % kPacketX, y = y0 + k / kPacketX;
         valid[k] = x < pencil.width && y < pencil.height ? -1 : 0;
         packet.ray.org_x[k] = packet.ray.org_y[k] = packet.ray.org_z[k] = 0;
-        packet.ray.dir_x[k] = float(pencil.x0 + x);
-        packet.ray.dir_y[k] = float(pencil.y0 + y);
-        packet.ray.dir_z[k] = 1;
+        const glm::vec3 direction = pencil.tile(0, 0).direction(x, y);
+        packet.ray.dir_x[k] = direction.x;
+        packet.ray.dir_y[k] = direction.y;
+        packet.ray.dir_z[k] = direction.z;
         packet.ray.tnear[k] = 0;
         packet.ray.tfar[k] = std::numeric_limits<float>::infinity();
         packet.ray.time[k] = 0;

@@ -123,7 +123,7 @@ HWY_NOINLINE void find_geometric(
     const TileShade& tile, std::span<const HitRun> runs, BlockSurface& surface)
 {
     for (const HitRun& run : runs)
-        spread_geometric(geometric_normal(tile.arrays, run, tile.hits.frame), run, surface);
+        spread_geometric(geometric_normal(tile.arrays, run, tile.hits.rays), run, surface);
 }
 
 /// Samples of a block that share a material.
@@ -181,7 +181,8 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
         }
 
         const real3 direction = wide::ray_direction(real(rays.x0) + load(rays.samples->x + first),
-            real(rays.y0) + load(rays.samples->y + first), real(rays.inv_f), right, down, forward);
+            real(rays.y0) + load(rays.samples->y + first), real(rays.step_x), real(rays.step_y),
+            right, down, forward);
         const real3 position =
             wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
         const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);

@@ -60,13 +60,12 @@ struct RunPlane {
     double n_p0 = 0; // n . p0_eye
 };
 
-FIRSTHIT_PURE RunPlane run_plane(
-    const ShadeArrays& arrays, std::uint32_t item, const TileFrame& frame)
+FIRSTHIT_PURE RunPlane run_plane(const ShadeArrays& arrays, std::uint32_t item, const Rays& rays)
 {
     RunPlane plane;
     plane.corner = arrays.scene->index[item];
     const glm::dvec3 p0(arrays.position[plane.corner.x]);
-    plane.p0_eye = p0 - glm::dvec3(frame.eye);
+    plane.p0_eye = p0 - glm::dvec3(rays.eye);
     plane.e1 = glm::dvec3(arrays.position[plane.corner.y]) - p0;
     plane.e2 = glm::dvec3(arrays.position[plane.corner.z]) - p0;
     plane.n = glm::cross(plane.e1, plane.e2);
@@ -76,12 +75,12 @@ FIRSTHIT_PURE RunPlane run_plane(
 
 /// Unit, towards the eye; 0 where the triangle has no area.
 FIRSTHIT_PURE glm::vec3 geometric_normal(
-    const ShadeArrays& arrays, const HitRun& run, const TileFrame& frame)
+    const ShadeArrays& arrays, const HitRun& run, const Rays& rays)
 {
-    const RunPlane plane = run_plane(arrays, run.item, frame);
+    const RunPlane plane = run_plane(arrays, run.item, rays);
     const double length = std::sqrt(glm::dot(plane.n, plane.n));
     if (!(length > 0)) return glm::vec3(0);
-    const double side = looks_away(run, plane.n, plane.n_p0, frame.eye) ? -1 : 1;
+    const double side = looks_away(run, plane.n, plane.n_p0, rays.eye) ? -1 : 1;
     return glm::vec3(plane.n * (side / length));
 }
 
@@ -118,17 +117,17 @@ struct RunGradients {
 };
 
 FIRSTHIT_PURE RunGradients run_gradients(
-    const RunPlane& plane, const Interpolated<glm::vec2>& uv, const TileFrame& frame)
+    const RunPlane& plane, const Interpolated<glm::vec2>& uv, const Rays& rays)
 {
     const glm::dvec3 w1 = glm::cross(plane.e2, plane.p0_eye);
     const glm::dvec3 w2 = glm::cross(plane.p0_eye, plane.e1);
-    const glm::dvec3 right(frame.world_from_eye[0]);
-    const glm::dvec3 down(frame.world_from_eye[1]);
-    const double step = double(frame.inv_f) / plane.n_p0;
-    const glm::dvec2 w1_xy(glm::dot(w1, right) * step, glm::dot(w1, down) * step);
-    const glm::dvec2 w2_xy(glm::dot(w2, right) * step, glm::dot(w2, down) * step);
+    const glm::dvec3 right(rays.right), down(rays.down);
+    const double step_x = double(rays.step_x) / plane.n_p0;
+    const double step_y = double(rays.step_y) / plane.n_p0;
+    const glm::dvec2 w1_xy(glm::dot(w1, right) * step_x, glm::dot(w1, down) * step_y);
+    const glm::dvec2 w2_xy(glm::dot(w2, right) * step_x, glm::dot(w2, down) * step_y);
     RunGradients gradients;
-    gradients.one = glm::vec2(glm::dot(plane.n, right) * step, glm::dot(plane.n, down) * step);
+    gradients.one = glm::vec2(glm::dot(plane.n, right) * step_x, glm::dot(plane.n, down) * step_y);
     gradients.u = glm::vec2(w1_xy * double(uv.to1.x) + w2_xy * double(uv.to2.x));
     gradients.v = glm::vec2(w1_xy * double(uv.to1.y) + w2_xy * double(uv.to2.y));
     return gradients;

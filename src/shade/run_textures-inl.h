@@ -48,7 +48,7 @@ class RunTextures {
     ///
     /// arrays  with uv
     /// runs    of which the first kRuns are worked out, or all
-    void find(const ShadeArrays& arrays, const TileFrame& frame, std::span<const HitRun> runs)
+    void find(const ShadeArrays& arrays, const Rays& rays, std::span<const HitRun> runs)
     {
         std::array<std::uint8_t, kRecent> recent = {}; // run of the same item, perhaps
         slots_ = 0;
@@ -64,7 +64,7 @@ class RunTextures {
             same = std::uint8_t(k);
             run_[k] = new_run(arrays, item);
         }
-        work_out(arrays, frame);
+        work_out(arrays, rays);
     }
 
     const Run& operator[](std::size_t run) const { return run_[run]; }
@@ -134,11 +134,11 @@ class RunTextures {
     }
 
 #if HWY_TARGET == HWY_SCALAR
-    void work_out(const ShadeArrays& arrays, const TileFrame& frame)
+    void work_out(const ShadeArrays& arrays, const Rays& rays)
     {
         for (std::uint32_t slot = 0; slot < slots_; ++slot) {
             const RunGradients gradients =
-                run_gradients(run_plane(arrays, item_[slot], frame), uv(slot), frame);
+                run_gradients(run_plane(arrays, item_[slot], rays), uv(slot), rays);
             put(gradients.u, gradient_[0], slot);
             put(gradients.v, gradient_[1], slot);
             put(gradients.one, gradient_[2], slot);
@@ -146,7 +146,7 @@ class RunTextures {
     }
 #else
     /// run_plane and run_gradients, a triangle a lane.
-    void work_out(const ShadeArrays& /*arrays*/, const TileFrame& frame)
+    void work_out(const ShadeArrays& /*arrays*/, const Rays& rays)
     {
         const hn::ScalableTag<double> d;
         const hn::Rebind<float, decltype(d)> f;
@@ -158,9 +158,8 @@ class RunTextures {
         const auto dot = [](const Vector3<V>& a, const Vector3<V>& b) {
             return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
         };
-        const Vector3<V> eye = same(frame.eye), right = same(frame.world_from_eye[0]),
-                         down = same(frame.world_from_eye[1]);
-        const V inv_f = hn::Set(d, double(frame.inv_f));
+        const Vector3<V> eye = same(rays.eye), right = same(rays.right), down = same(rays.down);
+        const bool square = rays.step_x == rays.step_y;
         for (std::size_t i = 0; i < slots_; i += hn::Lanes(d)) {
             const auto load = [&](const float* from) {
                 return hn::PromoteTo(d, hn::LoadU(f, from + i));
@@ -172,9 +171,12 @@ class RunTextures {
             const Vector3<V> p0 = corner(0), p0_eye = sub(p0, eye);
             const Vector3<V> e1 = sub(corner(1), p0), e2 = sub(corner(2), p0), n = cross(e1, e2);
             const Vector3<V> w1 = cross(e2, p0_eye), w2 = cross(p0_eye, e1);
-            const V step = hn::Div(inv_f, dot(n, p0_eye));
+            const V n_p0 = dot(n, p0_eye);
+            const V step_x = hn::Div(hn::Set(d, double(rays.step_x)), n_p0);
+            const V step_y = square ? step_x : hn::Div(hn::Set(d, double(rays.step_y)), n_p0);
             for (int axis = 0; axis < 2; ++axis) {
                 const Vector3<V>& along = axis == 0 ? right : down;
+                const V step = axis == 0 ? step_x : step_y;
                 const V w1_along = hn::Mul(dot(w1, along), step);
                 const V w2_along = hn::Mul(dot(w2, along), step);
                 const auto store = [&](V v, Pair& pair) {

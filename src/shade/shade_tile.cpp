@@ -141,7 +141,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         const bool seen = planes || (run.samples & reached) != 0;
         if (seen) {
             HitRun spare;
-            const HitRun& known = known_run(run, tile.world, tile.hits.frame.eye, spare);
+            const HitRun& known = known_run(run, tile.world, tile.hits.rays.eye, spare);
             if (one_by_one)
                 corners.set(scene.index[run.item], known,
                     runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())
@@ -158,12 +158,12 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
         }
         const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
         if (!texture && !planes) continue;
-        if (planes) spread_geometric(geometric_normal(arrays, run, tile.hits.frame), run, surface);
+        if (planes) spread_geometric(geometric_normal(arrays, run, tile.hits.rays), run, surface);
         if (!texture && !with_uv) continue;
-        const RunPlane plane = run_plane(arrays, run.item, tile.hits.frame);
+        const RunPlane plane = run_plane(arrays, run.item, tile.hits.rays);
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
         RunGradients gradients;
-        if (texture) gradients = run_gradients(plane, uv, tile.hits.frame);
+        if (texture) gradients = run_gradients(plane, uv, tile.hits.rays);
         spread_uv(uv, gradients, texture, run, tile.hits, surface);
     }
     if (one_by_one) {
@@ -218,7 +218,7 @@ void shade(const HitTile& hits, const World& world, const LightVisibility& lit,
         if (ahead && end > found) {
             first_found = r;
             found = std::min(hits.runs.size(), r + RunTextures::kRuns);
-            textures.find(arrays, hits.frame, hits.runs.subspan(r));
+            textures.find(arrays, hits.rays, hits.runs.subspan(r));
         }
         const BlockMaterials materials = find_surfaces(tile, runs, ahead ? &textures : nullptr,
             r - first_found, reached, planes, corners, surface);

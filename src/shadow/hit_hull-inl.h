@@ -71,8 +71,7 @@ struct HitHull {
 
 /// The hull of the `side` x `side` samples whose first is (x, y) of the tile, in the space that
 /// `to` transforms into.
-HWY_INLINE HitHull hit_hull(
-    const RayTransform& to, float x, float y, int side, const HitDepths& depths)
+HWY_INLINE HitHull hit_hull(const Rays& to, float x, float y, int side, const HitDepths& depths)
 {
     alignas(64) static constexpr float kX[16] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
     alignas(64) static constexpr float kY[16] = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};

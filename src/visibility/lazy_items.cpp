@@ -96,8 +96,7 @@ std::optional<EdgeFilter> edge_filter(const Corners& corners, const Pencil& penc
     if (!usable(corners)) return std::nullopt;
     const int facing = volume_sign(corners, effort);
     if (facing == 0) return std::nullopt;
-    const double most_x = std::max(std::abs(pencil.x0), std::abs(pencil.x0 + pencil.width));
-    const double most_y = std::max(std::abs(pencil.y0), std::abs(pencil.y0 + pencil.height));
+    const glm::dvec2 reach = pencil.tile(0, 0).reach(pencil.width, pencil.height);
     EdgeFilter filter{corners, {}, {}};
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3 a(corners[k]), b(corners[(k + 1) % 3]);
@@ -105,7 +104,7 @@ std::optional<EdgeFilter> edge_filter(const Corners& corners, const Pencil& penc
         filter.edge[k] = double(facing) * n;
         // As in exact/hit.h: four roundings a term, and twice that.
         filter.error[k] =
-            8 * kUlp * (std::abs(n.x) * most_x + std::abs(n.y) * most_y + std::abs(n.z));
+            8 * kUlp * (std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + std::abs(n.z));
     }
     return filter;
 }
@@ -120,7 +119,7 @@ struct Search {
 
     glm::vec3 ray(const ListedSample& sample) const
     {
-        return {float(view.pencil.x0 + sample.x), float(view.pencil.y0 + sample.y), 1.0f};
+        return view.pencil.tile(0, 0).direction(sample.x, sample.y);
     }
 
     void offer(

@@ -154,6 +154,22 @@ TEST_F(EmbreeBaselineTest, MakesTheCpuEnginesPicturesAndPlanes)
     }
 }
 
+TEST_F(EmbreeBaselineTest, MakesTheCpuEnginesPicturesOfACalibratedCamera)
+{
+    const Scene scene = load_scene("builtin:robots");
+    for (const int packet : {8, 16}) {
+        EmbreeBaseline baseline(scene, BaselineUpdate::refit_parts, 1, packet);
+        View view = view_of(scene, baseline.pose(2.5), 120, 100);
+        view.camera.focal = glm::dvec2(150.3, 97.1);
+        view.camera.principal_point = glm::dvec2(50.37, 61.9);
+        view.camera.skew = 17.3;
+        Film film;
+        baseline.render(view, settings(), film);
+        expect_same(differences(ours(scene, 2.5, view), film), std::to_string(packet));
+        EXPECT_GT(baseline.stats().shadow_rays, 1000u);
+    }
+}
+
 TEST_F(EmbreeBaselineTest, KnowsEveryKindOfLightAndManyOfThem)
 {
     Scene scene = load_scene("builtin:torus");

@@ -72,6 +72,22 @@ TEST_F(GpuPlanes, SayOfEachLightHowMuchArrives)
     EXPECT_LE(different(Aov::lit, 0), 1e-3);
 }
 
+TEST_F(GpuPlanes, AreThoseOfACalibratedCamera)
+{
+    view.width = 200, view.height = 256;
+    view.camera.focal = glm::dvec2(300.3, 210.7);
+    view.camera.principal_point = glm::dvec2(81.37, 140.9);
+    view.camera.skew = 21.5;
+    render_both("calibrated");
+    EXPECT_EQ(gpu_film.item, cpu_film.item);
+    for (const Aov aov : {Aov::depth, Aov::distance, Aov::position})
+        EXPECT_EQ(different(aov, 1e-3f), 0);
+    EXPECT_LE(different(Aov::geometric_normal, 1e-5f), 1e-4);
+    EXPECT_LE(different(Aov::normal, 1e-3f), 1e-3);
+    EXPECT_LE(different(Aov::albedo, 1.0f / 255), 1e-3);
+    EXPECT_LE(different(Aov::lit, 0), 1e-3);
+}
+
 TEST_F(GpuPlanes, AreOfEveryPixelWherePicturesAreInterleaved)
 {
     settings.color = true;

@@ -10,21 +10,23 @@ namespace {
 
 TEST(HitPosition, IsOnTheRayAtTheDepthAsked)
 {
-    TileFrame frame;
-    frame.x0 = -31.5f;
-    frame.y0 = 0.5f;
-    frame.inv_f = 1.0f / 64;
-    frame.eye = {1, 2, 3};
-    frame.world_from_eye = glm::mat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    const glm::vec3 p = hit_position(frame, 63, 7, 128);
-    EXPECT_EQ(p, glm::vec3(1 + 31.5f * 2, 2 - 7.5f * 2, 3 - 128));
+    const Rays rays{.eye = {1, 2, 3},
+        .step_x = 1.0f / 64,
+        .right = {1, 0, 0},
+        .step_y = 1.0f / 32,
+        .down = {0.5f, -1, 0},
+        .x0 = -31.5f,
+        .forward = {0, 0, -1},
+        .y0 = 0.5f};
+    const glm::vec3 p = hit_position(rays, 63, 7, 128);
+    EXPECT_EQ(p, glm::vec3(1 + 31.5f * 2 + 7.5f * 2, 2 - 7.5f * 4, 3 - 128));
 }
 
 TEST(HitPosition, OfDepthZeroIsTheEye)
 {
-    TileFrame frame;
-    frame.eye = {1, 2, 3};
-    EXPECT_EQ(hit_position(frame, 5, 9, 0), frame.eye);
+    Rays rays;
+    rays.eye = {1, 2, 3};
+    EXPECT_EQ(hit_position(rays, 5, 9, 0), rays.eye);
 }
 
 TEST(BlockSamples, AreInTileOrder)

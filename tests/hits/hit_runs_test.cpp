@@ -39,7 +39,7 @@ TEST(HitRuns, KnowThePlanesThatTheirCornersSpan)
         for (const auto& tile : picture.tiles)
             for (const HitRun& run : tile->hits.runs) {
                 ASSERT_TRUE(run.has_plane());
-                const HitRun expected = with_plane(run, posed.world, tile->hits.frame.eye);
+                const HitRun expected = with_plane(run, posed.world, tile->hits.rays.eye);
                 const glm::vec4 apart = glm::abs(run.plane - expected.plane);
                 EXPECT_LT(std::max({apart.x, apart.y, apart.z}), 2e-4f);
                 EXPECT_NEAR(run.plane.w / expected.plane.w, 1, 2e-3);

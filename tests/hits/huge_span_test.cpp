@@ -79,8 +79,7 @@ struct Block {
         }
         view.index = index;
         resize(items, kBlock);
-        items.x0 = first.x;
-        items.y0 = first.y;
+        items.rays = {first.x, first.y};
         std::copy(item.begin(), item.end(), items.item.data());
         resize(memory, kBlock, 1);
         hits = resolve_tile(view, items, memory.of(0));
@@ -213,8 +212,7 @@ void check_block(const Block& block, int& worse_than_plain)
         ASSERT_EQ(run.eye_side, volume_sign(c, effort));
         for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
-            const glm::vec3 d(
-                block.items.x0 + float(block_x(k)), block.items.y0 + float(block_y(k)), 1);
+            const glm::vec3 d = block.items.rays.direction(block_x(k), block_y(k));
             const ExactHit exact(c, d);
             const float t = hits.t[k], u = hits.u[k], v = hits.v[k];
             ASSERT_TRUE(
@@ -286,7 +284,7 @@ TEST(HugeSpan, ATrianglesBitsDoNotDependOnTheOthersInItsBlock)
                 std::array<std::uint32_t, kBlockSamples> item;
                 for (int k = 0; k < kBlockSamples; ++k)
                     item[std::size_t(k)] = run.samples >> k & 1 ? run.item : kNoItem;
-                const Block alone(many.triangles, item, {many.items.x0, many.items.y0});
+                const Block alone(many.triangles, item, {many.items.rays.x0, many.items.rays.y0});
                 ASSERT_EQ(alone.hits.runs.size(), 1u);
                 EXPECT_EQ(alone.hits.runs[0].eye_side, run.eye_side);
                 EXPECT_EQ(alone.hits.runs[0].plane, run.plane);

@@ -112,6 +112,35 @@ TEST_F(Engines, HybridWithExactItemsIsTheCpuEngineBitForBit)
     }
 }
 
+TEST_F(Engines, MakeTheSamePictureOfACalibratedCamera)
+{
+    show("builtin:robots", 2.5, 200);
+    view_.camera.focal = glm::dvec2(250.3, 160.7);
+    view_.camera.principal_point = glm::dvec2(81.37, 120.9);
+    view_.camera.skew = 21.5;
+    Settings settings;
+    for (int k = 0; k < kAovCount; ++k) settings.aovs.push_back(Aov(k));
+    settings.shadows = Shadows::exact;
+    const Film exact = render(settings);
+    settings.engine = Engine::hybrid;
+    settings.multisample = Multisample::exact;
+    const Film hybrid = render(settings);
+    EXPECT_EQ(hybrid.color.value, exact.color.value);
+    EXPECT_EQ(hybrid.item, exact.item);
+    for (int k = 0; k < kAovCount; ++k)
+        EXPECT_EQ(hybrid[Aov(k)].value, exact[Aov(k)].value) << aov_name(Aov(k));
+
+    settings.shadows = Shadows::map;
+    settings.engine = Engine::cpu;
+    const Film expected = render(settings);
+    settings.engine = Engine::gpu;
+    const Film gpu = render(settings);
+    EXPECT_EQ(gpu.item, expected.item);
+    EXPECT_LT(different(gpu, expected), 0.02);
+    settings.multisample = Multisample::lazy3;
+    EXPECT_LT(different(render(settings), expected), 0.02);
+}
+
 TEST_F(Engines, GpuItemsAreExactWhereAsked)
 {
     show("builtin:robots", 2.5, 300);

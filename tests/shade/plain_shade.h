@@ -57,9 +57,9 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
 {
     const Scene& scene = *world.scene;
     const ShadeArrays arrays = shade_arrays(world);
-    const RunPlane run_plane = firsthit::run_plane(arrays, run.item, hits.frame);
+    const RunPlane run_plane = firsthit::run_plane(arrays, run.item, hits.rays);
     const Interpolated<glm::vec3> run_normals = run_normal(
-        arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.frame.eye).plane));
+        arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.rays.eye).plane));
     const Interpolated<glm::vec2> run_uvs = run_uv(arrays, run_plane.corner);
     const Material& material = scene.materials[scene.parts[scene.owner[run.item]].material];
     const std::size_t at = std::size_t(run.block) * kBlockSamples + std::size_t(sample);
@@ -74,9 +74,9 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     const int blocks_x = hits.size / kBlock;
     const int x = static_cast<int>(run.block) % blocks_x * kBlock + block_x(sample);
     const int y = static_cast<int>(run.block) / blocks_x * kBlock + block_y(sample);
-    const real3 direction = ray_direction(hits.frame, static_cast<float>(x), static_cast<float>(y));
-    const real3 position = hit_position(from_glm(hits.frame.eye), direction, t);
-    const real3 geometric = from_glm(geometric_normal(arrays, run, hits.frame));
+    const real3 direction = ray_direction(hits.rays, static_cast<float>(x), static_cast<float>(y));
+    const real3 position = hit_position(from_glm(hits.rays.eye), direction, t);
+    const real3 geometric = from_glm(geometric_normal(arrays, run, hits.rays));
     const real3 to_eye = unit(real3(0, 0, 0) - direction);
     const real3 normal = visible_normal(
         from_glm(run_normals.at0) + (from_glm(run_normals.to1) * u + from_glm(run_normals.to2) * v),
@@ -88,7 +88,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     if (const Texture* texture = texture_of(scene, material)) {
         const real2 size(
             static_cast<float>(texture->width()), static_cast<float>(texture->height()));
-        const RunGradients gradients = run_gradients(run_plane, run_uvs, hits.frame);
+        const RunGradients gradients = run_gradients(run_plane, run_uvs, hits.rays);
         color_of_texture = sample_texture(*texture, uv.x, uv.y,
             footprint2(less_corner.x, less_corner.y, t, from_glm(gradients.u),
                 from_glm(gradients.v), from_glm(gradients.one), size));
@@ -105,7 +105,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
         } else if (light.kind == Light::Kind::directional) {
             to_light = from_glm(glm::vec3(-glm::normalize(light.direction)));
         } else {
-            const glm::vec3 d = firsthit::to_light(light_space(light, glm::dvec3(hits.frame.eye)),
+            const glm::vec3 d = firsthit::to_light(light_space(light, glm::dvec3(hits.rays.eye)),
                 {position.x, position.y, position.z});
             share = share * spot_share(spot_cone(light), d);
             to_light = unit(real3(0, 0, 0) - from_glm(d));

@@ -15,7 +15,7 @@ struct Occluder : TileScene {
 
     Occluder() : TileScene(8)
     {
-        hits.frame.x0 = hits.frame.y0 = 0;
+        hits.rays.x0 = hits.rays.y0 = 0;
         material().ambient = {0, 0, 0};
         material().diffuse = {1, 1, 1};
         add_wall();

@@ -15,7 +15,7 @@ void expect_near(glm::vec3 a, glm::vec3 b, float tolerance = 2e-6f)
 /// A sample straight ahead: the tile's first sample is on the view axis.
 struct Ahead : TileScene {
     ShadeMemory memory;
-    Ahead() : TileScene(8) { hits.frame.x0 = hits.frame.y0 = 0; }
+    Ahead() : TileScene(8) { hits.rays.x0 = hits.rays.y0 = 0; }
     glm::vec3 color()
     {
         cast();
@@ -190,14 +190,14 @@ TEST(ShadeTile, AnExponentThatIsNoNumberOrNegativeCountsAsZero)
 TEST(ShadeTile, PositionsAreWhereTheRaysMeetTheTriangle)
 {
     TileScene tile(32);
-    tile.hits.frame.eye = {3, -2, 5};
+    tile.hits.rays.eye = {3, -2, 5};
     tile.add_square({-97, -102, -5}, {200, 0, 0}, {0, 200, 0});
     tile.cast();
     ShadeMemory memory;
     shade_tile(tile.hits, tile.world, {}, memory.targets);
     for (int y = 0; y < 32; y += 5)
         for (int x = 0; x < 32; x += 3) {
-            const glm::dvec3 p = glm::dvec3(tile.hits.frame.eye) + tile.direction(x, y) * 10.0;
+            const glm::dvec3 p = glm::dvec3(tile.hits.rays.eye) + tile.direction(x, y) * 10.0;
             expect_near(at(memory.targets.position, x, y, 32), glm::vec3(p), 2e-6f);
         }
 }

@@ -109,6 +109,18 @@ TEST(TextureSampling, BlendsTwoLevelsWhereReduced)
     EXPECT_GT(range.y - range.x, 1);
 }
 
+TEST(TextureSampling, TakesTheLevelOfRaysThatAreNotSquareToOneAnother)
+{
+    TileScene tile(32);
+    tile.hits.rays.step_y *= 0.25f;
+    tile.hits.rays.down = {0.5f, -1, 0};
+    tile.hits.rays.forward = {0.125f, 0.25f, -1};
+    tile.scene.textures.push_back(noise_texture(256, 128));
+    tile.add_square({-12, -30, -10}, {24, 0, 6}, {3, 60, -40}, 3);
+    const glm::dvec2 range = expect_reference(tile, 2e-4);
+    EXPECT_GT(range.x, 0);
+}
+
 TEST(TextureSampling, TakesTheLevelOfAGrazingGroundFromItsSlope)
 {
     // A ground that runs to the horizon: levels from enlarged to the last one.
@@ -172,7 +184,7 @@ TEST(TextureSampling, HasItsBottomRowAtVZero)
 TEST(TextureSampling, MultipliesAmbientAndDiffuseButNotSpecular)
 {
     TileScene tile(8);
-    tile.hits.frame.x0 = tile.hits.frame.y0 = 0;
+    tile.hits.rays.x0 = tile.hits.rays.y0 = 0;
     tile.scene.textures.emplace_back("no green", Picture{1, 1, {0xFF00FFu}});
     tile.material().texture = 0;
     tile.material().ambient = glm::vec3(0.125f);

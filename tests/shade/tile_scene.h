@@ -33,10 +33,14 @@ struct TileScene {
     explicit TileScene(int size = 16, float f = 20.0f)
     {
         hits.size = size;
-        hits.frame.x0 = 0.5f - static_cast<float>(size) / 2;
-        hits.frame.y0 = hits.frame.x0;
-        hits.frame.inv_f = 1.0f / f;
-        hits.frame.world_from_eye = glm::mat3(1, 0, 0, 0, -1, 0, 0, 0, -1);
+        const float first = 0.5f - static_cast<float>(size) / 2;
+        hits.rays = {.step_x = 1.0f / f,
+            .right = {1, 0, 0},
+            .step_y = 1.0f / f,
+            .down = {0, -1, 0},
+            .x0 = first,
+            .forward = {0, 0, -1},
+            .y0 = first};
         scene.parts.emplace_back();
         scene.materials.emplace_back();
         scene.background = {0.25f, 0.5f, 0.75f};
@@ -94,9 +98,9 @@ struct TileScene {
     /// The direction of sample (x, y), of depth 1.
     glm::dvec3 direction(double x, double y) const
     {
-        const TileFrame& frame = hits.frame;
-        return glm::dmat3(frame.world_from_eye) *
-               glm::dvec3((frame.x0 + x) * frame.inv_f, (frame.y0 + y) * frame.inv_f, 1);
+        const Rays& rays = hits.rays;
+        return glm::dvec3(rays.right) * ((rays.x0 + x) * rays.step_x) +
+               glm::dvec3(rays.down) * ((rays.y0 + y) * rays.step_y) + glm::dvec3(rays.forward);
     }
 
     /// Depth and weights where the ray of (x, y) meets the plane of a triangle.
@@ -104,7 +108,7 @@ struct TileScene {
     {
         const glm::uvec3 corner = scene.index[triangle];
         const glm::dvec3 d = direction(x, y);
-        const glm::dvec3 p0(glm::dvec3(world.position[corner.x]) - glm::dvec3(hits.frame.eye));
+        const glm::dvec3 p0(glm::dvec3(world.position[corner.x]) - glm::dvec3(hits.rays.eye));
         const glm::dvec3 e1 = glm::dvec3(world.position[corner.y] - world.position[corner.x]);
         const glm::dvec3 e2 = glm::dvec3(world.position[corner.z] - world.position[corner.x]);
         const double det = glm::dot(d, glm::cross(e1, e2));

@@ -188,7 +188,7 @@ TEST(RasterTile, StoresDepthsWithinTheirBound)
                 for (int x = 0; x < 16; ++x) {
                     const std::size_t at = std::size_t(tile_offset(x, y, 16));
                     if (tile.item[at] == kNoItem) continue;
-                    const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1};
+                    const glm::vec3 d = tile.rays.direction(x, y);
                     const double exact = std::min(
                         exact_inverse_depth(eye.triangles[tile.item[at]], d), double(kGreatestW));
                     EXPECT_LE(std::abs(tile.w[at] - exact), double(kDepthError) * exact);

@@ -50,7 +50,10 @@ Camera override_camera(
         throw UsageError("--up is parallel to the direction of view: choose another");
     const bool turned = options.eye || options.at;
     if (!options.up && turned && parallel(result.direction, result.up)) result.up = {0, 0, -1};
-    if (options.fov_y_rad) result.fov_y_rad = *options.fov_y_rad;
+    if (options.fov_y_rad) {
+        result.fov_y_rad = *options.fov_y_rad;
+        result.focal.reset();
+    }
     return result;
 }
 

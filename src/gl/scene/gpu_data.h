@@ -4,6 +4,8 @@
 // multiple of 16 bytes, and the number after it fills its last four.
 #pragma once
 
+#include "exact/rays.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -14,13 +16,8 @@ namespace firsthit::gl {
 
 /// What all samples of a part of a picture share.
 struct FrameData {
-    glm::vec3 eye{0}; // world space
-    float inv_f = 1;
-    glm::vec3 right{0}; // world space, as down and forward
-    float first_x = 0;  // ray of the part's first sample: (first_x, first_y, 1) in eye space
-    glm::vec3 down{0};
-    float first_y = 0;
-    glm::vec3 forward{0};
+    Rays rays;          // of the part's samples, in world space
+    glm::vec3 shear{0}; // Pencil::shear
     std::int32_t lights = 0;
     glm::vec3 background{0};
     std::int32_t reach = 0; // neighbours on each side that are tried for a missed item
@@ -33,9 +30,9 @@ struct FrameData {
     std::int32_t interleave_shift = 0; // from row to row
     std::int32_t filter = 1;           // N: N x N texels are compared
 };
-static_assert(offsetof(FrameData, first_x) == 28 && offsetof(FrameData, lights) == 60 &&
-              offsetof(FrameData, ambient) == 80 && offsetof(FrameData, size) == 96 &&
-              offsetof(FrameData, triangles) == 112 && sizeof(FrameData) == 128);
+static_assert(offsetof(FrameData, shear) == 64 && offsetof(FrameData, lights) == 76 &&
+              offsetof(FrameData, ambient) == 96 && offsetof(FrameData, size) == 112 &&
+              offsetof(FrameData, triangles) == 128 && sizeof(FrameData) == 144);
 
 struct MaterialData {
     glm::vec3 ambient{0};
@@ -48,26 +45,12 @@ struct MaterialData {
 static_assert(offsetof(MaterialData, diffuse) == 16 && offsetof(MaterialData, specular) == 32 &&
               sizeof(MaterialData) == 48);
 
-/// eye + t (X right + Y down + forward): where the ray of (X, Y, 1) in eye space is at depth t, in
-/// some space.
-struct RayTransformData {
-    glm::vec3 eye{0};
-    float unused0 = 0;
-    glm::vec3 right{0};
-    float unused1 = 0;
-    glm::vec3 down{0};
-    float unused2 = 0;
-    glm::vec3 forward{0};
-    float unused3 = 0;
-};
-static_assert(offsetof(RayTransformData, forward) == 48 && sizeof(RayTransformData) == 64);
-
 /// At most so many lights lie in uniform blocks, of which every driver has 16 KB; more in storage
 /// blocks, which are slower.
 inline constexpr std::size_t kFewLights = 28;
 
 struct LightData {
-    RayTransformData to_frame; // into the axes of shadow/map/light_frame.h
+    Rays to_frame; // those of (X, Y, 1) in eye space, in the axes of shadow/map/light_frame.h
     glm::vec3 color{0};
     std::int32_t kind = 0;       // Light::Kind
     glm::vec3 position{0};       // world space
@@ -90,7 +73,7 @@ static_assert(kFewLights * sizeof(LightData) <= 16384);
 
 /// One face of a light; width 0: no map.
 struct MapData {
-    RayTransformData to_map; // (texel x, texel y, depth), the first two times the depth
+    Rays to_map;             // in (texel x, texel y, depth), the first two times the depth
     std::uint32_t first = 0; // of its texels, see shadow/map/store_depth.h
     std::int32_t width = 0;
     std::int32_t height = 0;

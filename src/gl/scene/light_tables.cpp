@@ -14,19 +14,6 @@ constexpr float kRounding = 0x1p-20f; // as shadow/sample_shadow_map.cpp
 /// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
 constexpr double kNeighbours = 1.5;
 
-/// Into the space matrix * (p - origin) + offset; put together in double, so that only small
-/// numbers are left for float.
-RayTransformData ray_transform(const SampleFrame& frame, const glm::dmat3& matrix,
-    const glm::dvec3& origin, const glm::dvec3& offset)
-{
-    const glm::dmat3 axes = matrix * glm::dmat3(frame.world_from_eye);
-    const double inv_f = double(frame.inv_f);
-    return {.eye = glm::vec3(matrix * (glm::dvec3(frame.eye) - origin) + offset),
-        .right = glm::vec3(axes[0] * inv_f),
-        .down = glm::vec3(axes[1] * inv_f),
-        .forward = glm::vec3(axes[2])};
-}
-
 /// The face of a light that all its hits are on, or -1.
 int only_face(const ShadowLight& light)
 {
@@ -38,14 +25,7 @@ int only_face(const ShadowLight& light)
 
 } // namespace
 
-SampleFrame sample_frame(const Pencil& pencil)
-{
-    return {.eye = glm::vec3(pencil.eye),
-        .world_from_eye = glm::mat3(pencil.world_from_axes),
-        .inv_f = float(1 / pencil.f)};
-}
-
-void fill_lights(const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps,
+void fill_lights(const World& world, const Rays& rays, std::span<const ShadowLight> maps,
     std::vector<LightData>& lights)
 {
     lights.clear();
@@ -53,7 +33,7 @@ void fill_lights(const World& world, const SampleFrame& frame, std::span<const S
         const ShadeLight shade = shade_light(world.lights[l]);
         const LightFrame axes = light_frame(world.lights[l]);
         const glm::dmat3 rows = glm::transpose(axes.axes);
-        lights.push_back({.to_frame = ray_transform(frame, axes.axes, axes.origin, glm::dvec3(0)),
+        lights.push_back({.to_frame = transformed(rays, axes.axes, axes.origin, glm::dvec3(0)),
             .color = shade.color,
             .kind = std::int32_t(shade.kind),
             .position = shade.position,
@@ -70,7 +50,7 @@ void fill_lights(const World& world, const SampleFrame& frame, std::span<const S
     }
 }
 
-void fill_maps(std::span<const ShadowLight> lights, const SampleFrame& frame,
+void fill_maps(std::span<const ShadowLight> lights, const Rays& rays,
     std::span<const std::uint32_t> first, int filter, std::vector<MapData>& maps)
 {
     maps.clear();
@@ -78,8 +58,8 @@ void fill_maps(std::span<const ShadowLight> lights, const SampleFrame& frame,
         const ShadowMap& map = lights[k / kFaces].map[k % kFaces];
         MapData data;
         if (map.width() > 0) {
-            const glm::dvec3 eye = glm::abs(glm::dvec3(frame.eye) - map.origin);
-            data.to_map = ray_transform(frame, map.matrix, map.origin, map.offset);
+            const glm::dvec3 eye = glm::abs(glm::dvec3(rays.eye) - map.origin);
+            data.to_map = transformed(rays, map.matrix, map.origin, map.offset);
             data.first = first[k];
             data.width = map.width();
             data.height = map.height();

@@ -1,14 +1,22 @@
 // frame.glsl - what all pixels of a frame share. The layouts are those of gl/scene/gpu_data.h.
 
+/// The ray of (X, Y, 1) in eye space is at eye + t (right (X step_x) + down (Y step_y) + forward) at
+/// depth t: exact/rays.h.
+struct Rays {
+    vec3 eye;
+    float step_x;
+    vec3 right;
+    float step_y;
+    vec3 down;
+    float x0; // the first sample has X = x0, Y = y0
+    vec3 forward;
+    float y0;
+};
+
 layout(std140, binding = 0) uniform Frame
 {
-    vec3 eye; // world space
-    float inv_f;
-    vec3 right; // world space
-    float first_x; // ray of the part's first sample: (first_x, first_y, 1) in eye space
-    vec3 down;
-    float first_y;
-    vec3 forward;
+    Rays rays; // of the part's samples, in world space
+    vec3 shear; // in the camera's frame, down is (shear.x, 1, 0) and forward is (shear.y, shear.z, 1)
     int lights;
     vec3 background;
     int reach; // neighbours on each side that are tried for a missed item
@@ -35,8 +43,8 @@ bool is_shot(ivec2 sample_at)
     return (p.x + p.y * frame.interleave_shift) % frame.interleave == 0;
 }
 
-/// In eye space, x and y times f.
+/// In eye space.
 vec3 eye_direction(ivec2 sample_at)
 {
-    return vec3(frame.first_x + float(sample_at.x), frame.first_y + float(sample_at.y), 1.0);
+    return vec3(frame.rays.x0 + float(sample_at.x), frame.rays.y0 + float(sample_at.y), 1.0);
 }

@@ -33,7 +33,8 @@ void main()
 #elif FIRSTHIT_PLANE == 1 // depth
     plane_out = vec4(is_hit(hit) ? hit.t : uintBitsToFloat(0x7F800000u));
 #elif FIRSTHIT_PLANE == 2 // distance
-    vec2 d = eye_direction(at).xy * frame.inv_f;
+    vec2 d = eye_direction(at).xy * vec2(frame.rays.step_x, frame.rays.step_y);
+    d += vec2(d.y * frame.shear.x + frame.shear.y, frame.shear.z);
     plane_out = vec4(is_hit(hit) ? hit.t * sqrt(1.0 + dot(d, d)) : uintBitsToFloat(0x7F800000u));
 #elif FIRSTHIT_PLANE == 8 // barycentric
     plane_out = is_hit(hit) ? vec4(hit.u, hit.v, 0.0, 0.0) : vec4(0.0);

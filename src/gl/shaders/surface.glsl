@@ -37,9 +37,10 @@ Surface find_surface(ivec2 sample_at, Hit hit)
 {
     Surface surface;
     vec3 eye_d = eye_direction(sample_at);
+    Rays rays = frame.rays;
     vec3 d = ray_direction(
-        eye_d.x, eye_d.y, frame.inv_f, frame.right, frame.down, frame.forward);
-    surface.position = hit_position(frame.eye, d, hit.t);
+        eye_d.x, eye_d.y, rays.step_x, rays.step_y, rays.right, rays.down, rays.forward);
+    surface.position = hit_position(rays.eye, d, hit.t);
     surface.to_eye = unit(-d);
 
     // The plane, and the side of it that the eye is on: the same for all samples.

@@ -28,10 +28,10 @@ void bind_table(const Buffer& table, GLuint binding, std::size_t lights)
 } // namespace
 
 void GpuShadows::upload_tables(
-    const World& world, const SampleFrame& frame, std::span<const ShadowLight> maps, int filter)
+    const World& world, const Rays& rays, std::span<const ShadowLight> maps, int filter)
 {
-    fill_lights(world, frame, maps, light_data_);
-    fill_maps(maps, frame, texels_.first(), filter, map_data_);
+    fill_lights(world, rays, maps, light_data_);
+    fill_maps(maps, rays, texels_.first(), filter, map_data_);
     upload(lights_, std::as_bytes(std::span(light_data_)), kFewLights * sizeof(LightData));
     upload(map_table_, std::as_bytes(std::span(map_data_)), kFewLights * kFaces * sizeof(MapData));
     bind_table(lights_, kLights, light_data_.size());
@@ -39,9 +39,9 @@ void GpuShadows::upload_tables(
     if (!maps.empty()) texels_.bind_texels();
 }
 
-void GpuShadows::set_lights(const World& world, const SampleFrame& frame)
+void GpuShadows::set_lights(const World& world, const Rays& rays)
 {
-    upload_tables(world, frame, {}, 1);
+    upload_tables(world, rays, {}, 1);
 }
 
 void GpuShadows::update_maps(const Wanted& wanted, std::int64_t max_storage_bytes, Tasks& tasks)
@@ -51,16 +51,16 @@ void GpuShadows::update_maps(const Wanted& wanted, std::int64_t max_storage_byte
     depth_pass_.draw_changed(wanted.world, wanted.scene, texels_, maps_);
     updates_ += maps_.changed.size();
     maps_.complete = true;
-    upload_tables(wanted.world, wanted.frame, maps_.light, wanted.options.shadow_filter);
+    upload_tables(wanted.world, wanted.rays, maps_.light, wanted.options.shadow_filter);
 }
 
-void GpuShadows::use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
-    std::int64_t max_storage_bytes)
+void GpuShadows::use_maps(
+    const World& world, const ShadowMaps& maps, const Rays& rays, std::int64_t max_storage_bytes)
 {
     maps_.complete = false; // what was drawn is lost
     texels_.lay_out(maps.light, max_storage_bytes);
     texels_.upload(maps.light);
-    upload_tables(world, frame, maps.light, maps.filter);
+    upload_tables(world, rays, maps.light, maps.filter);
 }
 
 } // namespace firsthit::gl

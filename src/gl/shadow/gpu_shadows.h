@@ -22,14 +22,14 @@ namespace firsthit::gl {
 class GpuShadows {
   public:
     /// Uploads the lights, and binds them and their maps; no map is looked at before the next call.
-    void set_lights(const World& world, const SampleFrame& frame);
+    void set_lights(const World& world, const Rays& rays);
 
     /// What maps have to show.
     struct Wanted {
         const World& world;
         const ShadowOptions& options;
         const SceneBuffers& scene;
-        const SampleFrame& frame;
+        const Rays& rays;
         std::span<LightBounds> bounds; // (lights) of the visible hits
     };
 
@@ -38,7 +38,7 @@ class GpuShadows {
     void update_maps(const Wanted& wanted, std::int64_t max_storage_bytes, Tasks& tasks);
 
     /// Uploads maps that the cpu engine made.
-    void use_maps(const World& world, const ShadowMaps& maps, const SampleFrame& frame,
+    void use_maps(const World& world, const ShadowMaps& maps, const Rays& rays,
         std::int64_t max_storage_bytes);
 
     /// Drawn so far.
@@ -49,8 +49,8 @@ class GpuShadows {
     const MapTexels& texels() const { return texels_; }
 
   private:
-    void upload_tables(const World& world, const SampleFrame& frame,
-        std::span<const ShadowLight> maps, int filter);
+    void upload_tables(
+        const World& world, const Rays& rays, std::span<const ShadowLight> maps, int filter);
 
     ShadowMaps maps_; // sources and matrices
     MapTexels texels_;

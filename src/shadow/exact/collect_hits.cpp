@@ -156,7 +156,7 @@ int likely_face(const CollectWork& work)
                 y = float(run.block / blocks_x * kBlock) + float(block_y(k));
     const float t = work.hits.t[run.block * kBlockSamples + std::uint32_t(k)];
     const glm::vec3 d =
-        firsthit::to_light(work.mesh.space, firsthit::hit_position(work.hits.frame, x, y, t));
+        firsthit::to_light(work.mesh.space, firsthit::hit_position(work.hits.rays, x, y, t));
     int axis = std::abs(d.y) > std::abs(d.x) ? 1 : 0;
     if (std::abs(d.z) > std::abs(d[axis])) axis = 2;
     return 2 * axis + (d[axis] < 0);

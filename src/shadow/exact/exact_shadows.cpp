@@ -32,7 +32,7 @@ class HitPoints : public PencilPoints {
         const int k = int(at % kBlockSamples);
         const float x = float(block % blocks_x * kBlock) + float(block_x(k)),
                     y = float(block / blocks_x * kBlock) + float(block_y(k));
-        const glm::vec3 d = to_light(mesh_.space, hit_position(tile.frame, x, y, tile.t[at]));
+        const glm::vec3 d = to_light(mesh_.space, hit_position(tile.rays, x, y, tile.t[at]));
         return lift_point(mesh_, tile.item[at], d);
     }
 

@@ -79,7 +79,7 @@ HWY_INLINE void add_points(
 
 /// If all eight points of the hull of a block's hits lie on one face, so do the hits: adds the
 /// points as bounds of the hits. Else adds nothing and returns false.
-HWY_INLINE bool add_hull(const LightFrame& light, const RayTransform& to, float x, float y,
+HWY_INLINE bool add_hull(const LightFrame& light, const Rays& to, float x, float y,
     const HitDepths& depths, LaneBounds (&bounds)[kFaces])
 {
     constexpr int kRegisters = HitHull::kRegisters;
@@ -107,7 +107,7 @@ HWY_INLINE bool add_hull(const LightFrame& light, const RayTransform& to, float 
 
 void add_tile(const HitTile& hits, const LightFrame& light, LightBounds& total)
 {
-    const RayTransform to = ray_transform(hits.frame, light.axes, light.origin, glm::dvec3(0));
+    const Rays to = transformed(hits.rays, light.axes, light.origin, glm::dvec3(0));
     const real infinity(FaceBounds::kInfinity);
     const bool cone = light.tan2_cone > 0;
     LaneBounds bounds[kFaces];

@@ -34,13 +34,13 @@ Pencil map_pencil(const World& world, const LightFrame& frame, int face, const M
 {
     const glm::dmat3 rows = glm::transpose(face_matrix(frame, face));
     Pencil pencil;
-    pencil.f = 1 / fit.texel;
+    const double f = 1 / fit.texel; // texels
+    pencil.f = glm::dvec2(f);
     if (!frame.parallel) {
         // Sheared: the rectangle's middle becomes the axis, so that numbers stay small.
         pencil.eye = frame.origin;
-        pencil.eye_from_world =
-            glm::transpose(glm::dmat3(pencil.f * (rows[0] - fit.middle_x * rows[2]),
-                pencil.f * (rows[1] - fit.middle_y * rows[2]), rows[2]));
+        pencil.eye_from_world = glm::transpose(glm::dmat3(f * (rows[0] - fit.middle_x * rows[2]),
+            f * (rows[1] - fit.middle_y * rows[2]), rows[2]));
         return pencil;
     }
     const DepthRange range = depth_range(world, rows[2]);
@@ -50,8 +50,7 @@ Pencil map_pencil(const World& world, const LightFrame& frame, int face, const M
     pencil.parallel = true;
     pencil.far = 2 * deep;
     pencil.eye = rows[0] * fit.middle_x + rows[1] * fit.middle_y + rows[2] * range.least;
-    pencil.eye_from_world =
-        glm::transpose(glm::dmat3(pencil.f * rows[0], pencil.f * rows[1], rows[2]));
+    pencil.eye_from_world = glm::transpose(glm::dmat3(f * rows[0], f * rows[1], rows[2]));
     return pencil;
 }
 

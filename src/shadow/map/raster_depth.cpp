@@ -353,9 +353,8 @@ void resize(DepthTile& tile, int size)
 void raster_depth(const ViewMemory& view, int tile, DepthTile& out)
 {
     const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
-    HWY_DYNAMIC_DISPATCH(raster_depths)
-    (view, std::size_t(tile), float(view.pencil.x0 + tx * view.tile_size),
-        float(view.pencil.y0 + ty * view.tile_size), out);
+    const LatticeTile rays = view.pencil.tile(tx * view.tile_size, ty * view.tile_size);
+    HWY_DYNAMIC_DISPATCH(raster_depths)(view, std::size_t(tile), rays.x0, rays.y0, out);
 }
 
 } // namespace firsthit

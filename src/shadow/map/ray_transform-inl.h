@@ -1,7 +1,4 @@
 // ray_transform-inl.h - a register of hits straight from their depths to a light's space.
-//
-// A light's matrix is put together with the camera's in double, as texture projections are, so that
-// only small numbers are left for float: where the eye is, as the light sees it, and the ray's way.
 #if defined(FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_
 #undef FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_
@@ -11,39 +8,15 @@
 
 #include "base/simd_real-inl.h"
 #include "hits/block_samples.h"
-#include "hits/hit_tile.h"
-
-#include <glm/mat3x3.hpp>
+#include "exact/rays.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// eye + t * (right * x + down * y + forward) in some space; the ray (x, y) is counted from the view
-/// axis, so that a sample's bits do not depend on the tile that it is in.
-struct RayTransform {
-    glm::vec3 eye, right, down, forward;
-    float x0, y0; // of the tile's first sample
-};
-
-/// Into the space matrix * (p - origin) + offset.
-inline RayTransform ray_transform(const TileFrame& frame, const glm::dmat3& matrix,
-    const glm::dvec3& origin, const glm::dvec3& offset)
-{
-    const glm::dmat3 axes = matrix * glm::dmat3(frame.world_from_eye);
-    const double inv_f = double(frame.inv_f);
-    RayTransform to;
-    to.eye = glm::vec3(matrix * (glm::dvec3(frame.eye) - origin) + offset);
-    to.right = glm::vec3(axes[0] * inv_f);
-    to.down = glm::vec3(axes[1] * inv_f);
-    to.forward = glm::vec3(axes[2]);
-    to.x0 = frame.x0;
-    to.y0 = frame.y0;
-    return to;
-}
-
-/// Where rays (x, y) are at depth t.
-FIRSTHIT_PURE real3 transform_points(const RayTransform& to, real x, real y, real t)
+/// Where the rays (x, y), counted from the view axis, are at depth t.
+/// to  the tile's rays, transformed
+FIRSTHIT_PURE real3 transform_points(const Rays& to, real x, real y, real t)
 {
     const auto axis = [&](int k) {
         return real(to.eye[k]) +
@@ -53,7 +26,7 @@ FIRSTHIT_PURE real3 transform_points(const RayTransform& to, real x, real y, rea
 }
 
 /// The same for the rays of samples [first, first + kLanes) of the block at (x, y) of the tile.
-FIRSTHIT_PURE real3 transform_hits(const RayTransform& to, float x, float y, int first, real t)
+FIRSTHIT_PURE real3 transform_hits(const Rays& to, float x, float y, int first, real t)
 {
     return transform_points(to, real(to.x0 + x) + load(kBlockSamplesXY.x + first),
         real(to.y0 + y) + load(kBlockSamplesXY.y + first), t);

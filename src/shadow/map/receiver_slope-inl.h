@@ -84,13 +84,13 @@ inline void spread_receiver_slope(
 {
     turn_misses_away(hits, receiver_slope);
     ReceiverSlopeBatch batch = {};
-    const glm::dvec3 eye = glm::dvec3(hits.frame.eye) - light.origin;
+    const glm::dvec3 eye = glm::dvec3(hits.rays.eye) - light.origin;
     for (std::size_t start = 0; start < hits.runs.size(); start += ReceiverSlopeBatch::kRuns) {
         const auto runs = hits.runs.subspan(
             start, std::min<std::size_t>(ReceiverSlopeBatch::kRuns, hits.runs.size() - start));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             HitRun spare;
-            const HitRun& run = known_run(runs[i], world, hits.frame.eye, spare);
+            const HitRun& run = known_run(runs[i], world, hits.rays.eye, spare);
             for (int axis = 0; axis < 3; ++axis) batch.normal[axis][i] = run.plane[axis];
             batch.height[i] = run.plane.w;
         }

@@ -28,7 +28,7 @@ namespace {
 
 /// A map, and what sampling it for one tile needs.
 struct MapView {
-    RayTransform to; // from samples to (texel x, texel y, depth); see ShadowMap::matrix
+    Rays to; // from samples to (texel x, texel y, depth); see ShadowMap::matrix
     const float* depth = nullptr;
     const FarthestDepths* farthest = nullptr;
     int width = 0;
@@ -50,7 +50,7 @@ MapView map_view(
     const ShadowMaps& maps, const ShadowLight& light, const ShadowMap& map, const HitTile& hits)
 {
     MapView view;
-    view.to = ray_transform(hits.frame, map.matrix, map.origin, map.offset);
+    view.to = transformed(hits.rays, map.matrix, map.origin, map.offset);
     view.depth = map.depth.data();
     view.farthest = &map.farthest;
     view.width = map.width();
@@ -59,7 +59,7 @@ MapView map_view(
     view.filter = maps.filter;
     view.bias = float(maps.bias);
     view.reach = float(kNeighbours * 0.5 * maps.filter * map.source.fit.texel);
-    const glm::dvec3 eye = glm::abs(glm::dvec3(hits.frame.eye) - map.origin);
+    const glm::dvec3 eye = glm::abs(glm::dvec3(hits.rays.eye) - map.origin);
     view.rounding = kRounding * float(eye.x + eye.y + eye.z);
     return view;
 }
@@ -285,7 +285,7 @@ bool is_dark(
 void sample_maps_of_faces(
     const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* visibility)
 {
-    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const Rays to = transformed(hits.rays, frame.axes, frame.origin, glm::dvec3(0));
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const real receiver_slope = load(visibility + offset);
         const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
@@ -308,7 +308,7 @@ void sample_maps_of_faces(
 int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& depths)
 {
     const double depth[2] = {double(depths.nearest), double(depths.farthest)};
-    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const Rays to = transformed(hits.rays, frame.axes, frame.origin, glm::dvec3(0));
     int common = -1;
     for (int corner = 0; corner < 8; ++corner) {
         const double x = double(to.x0) + (corner & 1 ? hits.size - 1 : 0),
@@ -333,7 +333,7 @@ int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& d
 /// Sets the visibility of points outside a spot light's cone to 0.
 void clear_outside_cone(const LightFrame& frame, const HitTile& hits, float* visibility)
 {
-    const RayTransform to = ray_transform(hits.frame, frame.axes, frame.origin, glm::dvec3(0));
+    const Rays to = transformed(hits.rays, frame.axes, frame.origin, glm::dvec3(0));
     const float tan2_cone = float(frame.tan2_cone);
     for_registers(hits, [&](float x, float y, int first, int offset, real t) {
         const truth inside = in_cone(transform_hits(to, x, y, first, t), tan2_cone);

@@ -58,8 +58,8 @@ void decide_lanes_exactly(const ViewMemory& view, ItemTile& tile, int i, const L
     const Corners corners = tile.batch.corners(i);
     for (; open; open &= open - 1) {
         const int lane = std::countr_zero(open);
-        const glm::vec3 d{tile.x0 + float(lanes.x + lane % lanes.columns),
-            tile.y0 + float(lanes.y + lane / lanes.columns), 1.0f};
+        const glm::vec3 d =
+            tile.rays.direction(lanes.x + lane % lanes.columns, lanes.y + lane / lanes.columns);
         if (!(inside >> lane & 1)) {
             ++tile.counts.uncertain;
             if (!is_hit(corners, d, tile.counts.effort)) continue;
@@ -76,7 +76,7 @@ void decide_fragment_exactly(
     const int x = block % tile.blocks_x() * kBlock + block_x(inner);
     const int y = block / tile.blocks_x() * kBlock + block_y(inner);
     store_if_nearer(view, tile, triangle, corners_of(view, triangle), offset, w,
-        {tile.x0 + float(x), tile.y0 + float(y), 1.0f});
+        tile.rays.direction(x, y));
 }
 
 void decide_box(const ViewMemory& view, ItemTile& tile, int i)
@@ -86,7 +86,7 @@ void decide_box(const ViewMemory& view, ItemTile& tile, int i)
     if (volume_sign(corners, tile.counts.effort) == 0) return; // edge-on: no ray hits it
     for (int y = batch.y0[i]; y <= batch.y1[i]; ++y) {
         for (int x = batch.x0[i]; x <= batch.x1[i]; ++x) {
-            const glm::vec3 d{tile.x0 + float(x), tile.y0 + float(y), 1.0f};
+            const glm::vec3 d = tile.rays.direction(x, y);
             ++tile.counts.uncertain;
             if (!is_hit(corners, d, tile.counts.effort)) continue;
             const float w = float(std::min(exact_inverse_depth(corners, d), double(kGreatestW)));

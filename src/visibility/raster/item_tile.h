@@ -4,6 +4,7 @@
 #include "base/buffer.h"
 #include "base/tile_order.h"
 #include "exact/hit.h"
+#include "exact/pencil.h"
 
 #include <array>
 #include <cstdint>
@@ -78,8 +79,7 @@ struct TileCounts {
 /// One worker's tile. w and item are in tile order (tile_order.h).
 struct ItemTile {
     int size = 0; // samples on a side
-    float x0 = 0; // direction of the first sample
-    float y0 = 0;
+    LatticeTile rays;
     Buffer<float> w;            // 1/t, 0 = nothing yet
     Buffer<std::uint32_t> item; // kNoItem = nothing yet
     /// Least w of each block, or less. A register may be read from any block on.
@@ -100,6 +100,12 @@ struct ItemTile {
 
     int blocks_x() const { return size / kBlock; }
     int blocks() const { return blocks_x() * blocks_x(); }
+
+    /// Of a block's samples.
+    LatticeTile block_rays(int block) const
+    {
+        return rays.from(block % blocks_x() * kBlock, block / blocks_x() * kBlock);
+    }
 };
 
 } // namespace firsthit

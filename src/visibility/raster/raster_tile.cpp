@@ -25,7 +25,7 @@ void raster_batch(const ViewMemory& view, ItemTile& tile)
     Batch& batch = tile.batch;
     const hn::CappedTag<double, 8> d;
     for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
-        set_up_lanes(d, batch, i, tile.x0, tile.y0);
+        set_up_lanes(d, batch, i, tile.rays.x0, tile.rays.y0);
     for (int i = 0; i < batch.count; ++i) {
         const Box box{batch.x0[i], batch.y0[i], batch.x1[i], batch.y1[i]};
         switch (batch.kernel[i]) {
@@ -210,8 +210,7 @@ void resize(ItemTile& tile, int size)
 void raster_tile(const ViewMemory& view, int tile, ItemTile& out)
 {
     const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
-    out.x0 = float(view.pencil.x0 + tx * view.tile_size);
-    out.y0 = float(view.pencil.y0 + ty * view.tile_size);
+    out.rays = view.pencil.tile(tx * view.tile_size, ty * view.tile_size);
     HWY_DYNAMIC_DISPATCH(raster_entries)(view, std::size_t(tile), out);
 }
 

@@ -55,7 +55,7 @@ FaceSamples one_by_one(const PencilMesh& mesh, const HitTile& hits)
             const float x = float(run.block % blocks_x * kBlock + block_x(k)),
                         y = float(run.block / blocks_x * kBlock + block_y(k));
             const auto id = std::uint32_t(run.block * kBlockSamples + k);
-            const glm::vec3 p = hit_position(hits.frame, x, y, hits.t[id]);
+            const glm::vec3 p = hit_position(hits.rays, x, y, hits.t[id]);
             const glm::vec3 d = lift_point(mesh, run.item, to_light(mesh.space, p));
             const int number = face_of(mesh, d);
             if (number < 0) continue;

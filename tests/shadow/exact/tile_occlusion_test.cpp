@@ -74,7 +74,7 @@ Counts check(const World& world, const View& view, int tile_size = 8)
                     const float x = float(run.block % across * kBlock + block_x(s)),
                                 y = float(run.block / across * kBlock + block_y(s));
                     const glm::vec3 d = lifted(space,
-                        to_light(space, hit_position(tiles[k].frame, x, y, tiles[k].t[at])),
+                        to_light(space, hit_position(tiles[k].rays, x, y, tiles[k].t[at])),
                         receiver_of(c, side));
                     ++counts.hits;
                     counts.lit += !is_shadowed_brute(space, triangles, d, run.item, effort);

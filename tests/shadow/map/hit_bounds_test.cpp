@@ -11,7 +11,7 @@ LightBounds plain_bounds(const HitPicture& picture, const LightFrame& frame)
 {
     LightBounds bounds;
     picture.for_hits([&](std::size_t, const HitTile& hits, int x, int y, int offset) {
-        const glm::dvec3 p(hit_position(hits.frame, float(x), float(y), hits.t[offset]));
+        const glm::dvec3 p(hit_position(hits.rays, float(x), float(y), hits.t[offset]));
         const glm::dvec3 q = frame.axes * (p - frame.origin);
         const glm::dvec3 size = glm::abs(q);
         int face = kOnlyFace;

@@ -107,7 +107,7 @@ inline PlainHit plain_hit(
 {
     PlainHit plain;
     const ShadowLight& light = maps.light[0];
-    const glm::dvec3 p(hit_position(hits.frame, float(x), float(y), hits.t[offset]));
+    const glm::dvec3 p(hit_position(hits.rays, float(x), float(y), hits.t[offset]));
     const glm::dvec3 in_frame = light.frame.axes * (p - light.frame.origin);
     const glm::dvec3 size = glm::abs(in_frame);
     const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
@@ -131,7 +131,7 @@ inline PlainHit plain_hit(
         glm::dvec3(world.position[index.y]) - v0, glm::dvec3(world.position[index.z]) - v0);
     const glm::dvec3 n_frame = light.frame.axes * n;
     const double to_light = light.frame.parallel ? n_frame.z : glm::dot(n, v0 - light.frame.origin);
-    plain.faces_light = to_light * glm::dot(n, v0 - glm::dvec3(hits.frame.eye)) > 0;
+    plain.faces_light = to_light * glm::dot(n, v0 - glm::dvec3(hits.rays.eye)) > 0;
     const double sum = std::abs(n_frame.x) + std::abs(n_frame.y) + std::abs(n_frame.z);
     plain.epsilon = maps.bias >= 0 ? maps.bias
                                    : scale * scale * sum / std::abs(to_light) * 1.5 * 0.5 *

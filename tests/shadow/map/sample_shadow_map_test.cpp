@@ -87,7 +87,7 @@ Agreement agreement(const ShadowMaps& maps, const World& world, const HitPicture
         bool sure = true;
         if (light.kind == Light::Kind::spot) {
             const glm::dvec3 d =
-                glm::dvec3(hit_position(hits.frame, float(x), float(y), hits.t[offset])) -
+                glm::dvec3(hit_position(hits.rays, float(x), float(y), hits.t[offset])) -
                 light.position;
             const double angle =
                 std::acos(glm::dot(glm::normalize(d), glm::normalize(light.direction)));
@@ -289,7 +289,7 @@ TEST(SampleShadowMap, LetsShadowsBeginAtTheirCasters)
     const double texel = maps.light[0].map[kOnlyFace].source.fit.texel;
     int dark = 0;
     picture.for_hits([&](std::size_t tile, const HitTile& hits, int x, int y, int offset) {
-        const glm::vec3 p = hit_position(hits.frame, float(x), float(y), hits.t[offset]);
+        const glm::vec3 p = hit_position(hits.rays, float(x), float(y), hits.t[offset]);
         if (hits.item[offset] > 1) return;
         const double before = 6 - double(p.z); // distance from the wall; the shadow ends at 1
         if (before < 4 * texel || std::abs(before - 1) < 4 * texel) return;

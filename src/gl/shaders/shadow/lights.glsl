@@ -5,21 +5,8 @@ const int kSpotLight = 1;
 const int kDirectionalLight = 2;
 const int kFaces = 6; // of a light; see shadow/map/light_frame.h
 
-/// eye + t (X right + Y down + forward) is where the ray of eye direction (X, Y, 1) is at depth t,
-/// in some space of a light: the camera's matrix and the light's are put together in double.
-struct RayTransform {
-    vec3 eye;
-    float unused0;
-    vec3 right;
-    float unused1;
-    vec3 down;
-    float unused2;
-    vec3 forward;
-    float unused3;
-};
-
 struct LightData {
-    RayTransform to_frame; // into the light's axes
+    Rays to_frame; // in the light's axes; steps are 1, as those of maps
     vec3 color;
     int kind;
     vec3 position; // world space
@@ -37,7 +24,7 @@ struct LightData {
 };
 
 struct MapData {
-    RayTransform to_map; // (texel x, texel y, depth), the first two times the depth
+    Rays to_map; // in (texel x, texel y, depth), the first two times the depth
     uint first; // of its texels in map_depth
     int width; // 0: no map
     int height;
@@ -53,7 +40,8 @@ layout(std140, binding = 1) uniform Lights { LightData light_data[FIRSTHIT_FEW_L
 layout(std430, binding = 1) readonly buffer Lights { LightData light_data[]; };
 #endif
 
-vec3 transform_ray(RayTransform to, vec3 eye_d, float t)
+/// Where the ray of eye direction (X, Y, 1) is at depth t, in a light's space.
+vec3 transform_ray(Rays to, vec3 eye_d, float t)
 {
     return to.eye + t * ((eye_d.x * to.right + eye_d.y * to.down) + to.forward);
 }
