@@ -54,7 +54,7 @@ constexpr bool kFuses = false;
 using TinyItems = hn::Rebind<float, hn::CappedTag<double, 8>>;
 #endif
 
-/// x - s z, s with at most 14 bits, rounded once (or from double).
+/// x - s z, s with at most 24 bits, rounded once (or from double).
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V shear(D, V x, V s, V z)
 {

@@ -5,9 +5,9 @@
 // Edges. c, gx and gy are rounded once (u each); evaluating e takes two products and two sums. So
 // |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), where X and Y are the largest offsets; the tiny
 // kernel's steps add less than u. Edges are scaled so that the bracket is 1, and one constant
-// bounds them all. The computation in double adds less than 2^-30: products of a x b are exact, so
-// each term has at most four roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| is at most 2^18 times
-// the bracket for the largest picture.
+// bounds them all. The computation in double adds less than 2^-29: products of a x b are exact, so
+// each term has at most four roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| is at most 2^22 times
+// the bracket for the largest picture with the farthest principal point (|X0| < 2^22).
 //
 // Depth. It is not scaled: the error is 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w if the bracket is at
 // most 3 w. That is tested with the triangle's least w, 1 / its farthest z. The computation in
