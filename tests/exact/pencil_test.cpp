@@ -163,7 +163,8 @@ TEST(Rays, TransformedAreWhereTheMatrixSays)
         EXPECT_EQ(to.step_y, 1);
         const glm::dvec3 p = made.view.camera.eye + 8.0 * made.ray(x + 3.5, y + 5.5);
         const glm::dvec3 expected = matrix * (p - origin) + offset;
-        const glm::vec3 seen = to.eye + 8.0f * ((to.x0 + 3.0f) * to.right + (to.y0 + 5.0f) * to.down + to.forward);
+        const glm::vec3 seen =
+            to.eye + 8.0f * ((to.x0 + 3.0f) * to.right + (to.y0 + 5.0f) * to.down + to.forward);
         EXPECT_LT(glm::length(glm::dvec3(seen) - expected), 1e-4);
     }
 }

@@ -75,8 +75,8 @@ void decide_fragment_exactly(
     const int block = int(offset) / kBlockSamples, inner = int(offset) % kBlockSamples;
     const int x = block % tile.blocks_x() * kBlock + block_x(inner);
     const int y = block / tile.blocks_x() * kBlock + block_y(inner);
-    store_if_nearer(view, tile, triangle, corners_of(view, triangle), offset, w,
-        tile.rays.direction(x, y));
+    store_if_nearer(
+        view, tile, triangle, corners_of(view, triangle), offset, w, tile.rays.direction(x, y));
 }
 
 void decide_box(const ViewMemory& view, ItemTile& tile, int i)
