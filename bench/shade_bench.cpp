@@ -52,7 +52,7 @@ struct ShadedPicture {
 
     ShadedPicture(int samples_in_run, bool textured, int lights)
     {
-        Material material;
+        Phong material;
         material.specular = glm::vec3(0.3f);
         material.shininess = 20;
         if (textured) {
@@ -60,7 +60,7 @@ struct ShadedPicture {
                 Picture{256, 256, std::vector<std::uint32_t>(256 * 256, 0xFF8040C0u)});
             material.texture = 0;
         }
-        scene.materials.push_back(material);
+        scene.materials.emplace_back().model = material;
         scene.parts.emplace_back();
         for (int i = 0; i < lights; ++i)
             world.lights.push_back({.position = {i, 50, -10}, .color = glm::vec3(1.0f)});

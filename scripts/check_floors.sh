@@ -20,7 +20,7 @@ list_files()
 [ -d src ] || { echo "check_floors.sh: no folder src in $root" >&2; exit 1; }
 list_files | xargs -0 -r awk '
 BEGIN {
-    split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 frame:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
+    split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 frame:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 material:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
     for (k in pairs) { split(pairs[k], pair, ":"); floor_of[pair[1]] = pair[2] + 0 }
     split("error file film frame_control normals npy scene stats texture view", names, " ")
     for (k in names) is_data["firsthit/" names[k] ".h"] = 1

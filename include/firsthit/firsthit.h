@@ -7,6 +7,7 @@
 #include <firsthit/file.h>
 #include <firsthit/film.h>
 #include <firsthit/frame_control.h>
+#include <firsthit/material.h>
 #include <firsthit/normals.h>
 #include <firsthit/npy.h>
 #include <firsthit/occlusion.h>

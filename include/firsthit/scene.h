@@ -1,6 +1,7 @@
 // scene.h - a scene as it was read, and the world it makes at one time.
 #pragma once
 
+#include <firsthit/material.h>
 #include <firsthit/texture.h>
 #include <firsthit/view.h>
 
@@ -22,18 +23,6 @@ namespace firsthit {
 
 /// No triangle. The value of an item where a ray meets nothing.
 inline constexpr std::uint32_t kNoItem = 0xFFFFFFFFu;
-
-/// Phong's material. Colours are linear Rec.709 and may exceed 1.
-struct Material {
-    std::string name;           // as the file has it
-    glm::vec3 ambient{0.1f};    // times Scene::ambient
-    glm::vec3 diffuse{0.8f};    // share of light that is scattered
-    glm::vec3 specular{0.0f};   // of highlights
-    float shininess = 1.0f;     // Phong's exponent
-    float transmittance = 0.0f; // 0 opaque to 1 clear
-    float ior = 1.0f;           // index of refraction; read, not used
-    std::int32_t texture = -1;  // multiplies diffuse and ambient; -1 none
-};
 
 /// One key of a Kochanek-Bartels spline. value: a translation or scale in xyz, or a unit quaternion
 /// with xyz the vector part and w the scalar part.

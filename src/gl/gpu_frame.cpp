@@ -150,7 +150,8 @@ void GpuFrame::render_part(const Job& job, const Part& part)
                             .item_channels = channels_of(items.format),
                             .shadow_maps = job.shadows,
                             .textures = scene_.has_uv(),
-                            .few_lights = job.world().lights.size() <= kFewLights});
+                            .few_lights = job.world().lights.size() <= kFewLights,
+                            .only_model = materials_.only_model()});
     glBindTextureUnit(kItemsUnit, items.name);
     scene_textures_.bind(scene_);
     materials_.bind();

@@ -3,6 +3,7 @@
 
 #include "gl/bindings.h"
 #include "gl/device/context.h"
+#include "material/models.h"
 
 #include <algorithm>
 #include <string>
@@ -75,6 +76,7 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
     add(int(variant_.test), 4);
     add(variant_.item_channels, 5);
     add(plane, kAovCount);
+    add(variant_.only_model + 1, kModelCount + 1);
     for (const bool flag : flags) add(flag, 2);
     for (Linked& known : programs_)
         if (known.variant == variant) {
@@ -86,6 +88,7 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
         {"FIRSTHIT_ITEM_CHANNELS", std::to_string(variant_.item_channels)},
         {"FIRSTHIT_SHADOW_MAPS", variant_.shadow_maps ? "1" : "0"},
         {"FIRSTHIT_TEXTURES", variant_.textures ? "1" : "0"},
+        {"FIRSTHIT_ONLY_MODEL", std::to_string(variant_.only_model)},
         {"FIRSTHIT_FEW_LIGHTS", variant_.few_lights ? std::to_string(kFewLights) : "0"},
         {"FIRSTHIT_COUNT_HITS", stored ? "1" : "0"}, {"FIRSTHIT_PLANE", std::to_string(plane)}};
     if (stored || pass == Pass::count) defines.push_back({"FIRSTHIT_STORED_HITS", ""});

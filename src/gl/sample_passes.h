@@ -40,6 +40,7 @@ struct PassVariant {
     bool shadow_maps = false; // else every light reaches everything
     bool textures = false;    // and texture coordinates
     bool few_lights = true;   // at most kFewLights
+    int only_model = -1;      // of all materials: material/models.h; -1: several
 };
 
 /// What a pass over samples goes by.

@@ -22,21 +22,38 @@ constexpr int kGroundQuads = 12;     // on a side
 constexpr double kTextureSize = 4.0; // m that the texture covers once
 constexpr double kWall = 9.5;        // m from the middle to the walls
 
+Material material(const char* name, const Phong& model)
+{
+    Material made;
+    made.name = name;
+    made.model = model;
+    return made;
+}
+
+Phong paint(const glm::vec3& color, float specular, float shininess)
+{
+    return {.ambient = 0.22f * color,
+        .diffuse = color,
+        .specular = glm::vec3(specular),
+        .shininess = shininess};
+}
+
 Material painted(const char* name, const glm::vec3& color, float specular, float shininess)
 {
-    Material material;
-    material.name = name;
-    material.ambient = 0.22f * color;
-    material.diffuse = color;
-    material.specular = glm::vec3(specular);
-    material.shininess = shininess;
-    return material;
+    return material(name, paint(color, specular, shininess));
+}
+
+/// A lamp's surface: bright also where no light reaches it.
+Material glowing(const char* name, Phong model, const glm::vec3& color)
+{
+    model.ambient = color;
+    return material(name, model);
 }
 
 void add_ground(SceneBuilder& builder, std::int32_t node)
 {
     builder.scene().textures.push_back(make_tiles());
-    Material tiles = painted("tiles", glm::vec3(1), 0.08f, 12);
+    Phong tiles = paint(glm::vec3(1), 0.08f, 12);
     tiles.texture = 0;
 
     Shape ground;
@@ -56,7 +73,8 @@ void add_ground(SceneBuilder& builder, std::int32_t node)
             ground.index.emplace_back(a, a + kWidth, a + kWidth + 1);
             ground.index.emplace_back(a, a + kWidth + 1, a + 1);
         }
-    builder.add_part(node, builder.add_material(tiles), std::move(ground), std::move(uv));
+    builder.add_part(
+        node, builder.add_material(material("tiles", tiles)), std::move(ground), std::move(uv));
 }
 
 /// A column with a lamp in the middle, low walls and bollards around.
@@ -64,11 +82,8 @@ void add_props(SceneBuilder& builder, std::int32_t node)
 {
     const std::uint32_t stone =
         builder.add_material(painted("stone", {0.52f, 0.50f, 0.46f}, 0.1f, 10));
-    const std::uint32_t lamp = builder.add_material([] {
-        Material glow = painted("lamp", {0.9f, 0.8f, 0.5f}, 0.3f, 20);
-        glow.ambient = {0.95f, 0.80f, 0.45f};
-        return glow;
-    }());
+    const std::uint32_t lamp = builder.add_material(
+        glowing("lamp", paint({0.9f, 0.8f, 0.5f}, 0.3f, 20), {0.95f, 0.80f, 0.45f}));
 
     Shape column;
     add_lathe(column,
@@ -101,12 +116,11 @@ void add_props(SceneBuilder& builder, std::int32_t node)
 
 void add_robots(SceneBuilder& builder)
 {
-    RobotPaint paint;
-    paint.metal = builder.add_material(painted("metal", {0.46f, 0.48f, 0.52f}, 0.55f, 35));
-    paint.rubber = builder.add_material(painted("rubber", {0.055f, 0.058f, 0.065f}, 0.25f, 18));
-    Material glow = painted("glow", {0.3f, 0.8f, 0.9f}, 0.4f, 30);
-    glow.ambient = {0.35f, 0.95f, 1.0f};
-    paint.glow = builder.add_material(glow);
+    RobotPaint colors;
+    colors.metal = builder.add_material(painted("metal", {0.46f, 0.48f, 0.52f}, 0.55f, 35));
+    colors.rubber = builder.add_material(painted("rubber", {0.055f, 0.058f, 0.065f}, 0.25f, 18));
+    colors.glow = builder.add_material(
+        glowing("glow", paint({0.3f, 0.8f, 0.9f}, 0.4f, 30), {0.35f, 0.95f, 1.0f}));
 
     // Linear colours, neighbours far apart.
     constexpr std::array<glm::vec3, 10> kColors{
@@ -131,8 +145,9 @@ void add_robots(SceneBuilder& builder)
         walk.phase = 0.37 * static_cast<double>(r);
         walk.waves = r == 2 || r == 8;
         const std::string name = "robot " + std::to_string(r + 1);
-        paint.body = builder.add_material(painted((name + " paint").c_str(), kColors[r], 0.5f, 40));
-        add_robot(builder, name, paint, walk, 0, kEnd);
+        colors.body =
+            builder.add_material(painted((name + " paint").c_str(), kColors[r], 0.5f, 40));
+        add_robot(builder, name, colors, walk, 0, kEnd);
     }
 }
 

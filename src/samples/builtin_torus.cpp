@@ -23,10 +23,10 @@ Scene make_torus()
     scene.nodes.push_back({.name = "torus"});
     Material& material = scene.materials.emplace_back();
     material.name = "torus";
-    material.ambient = {0.06f, 0.03f, 0.02f};
-    material.diffuse = {0.80f, 0.30f, 0.12f};
-    material.specular = glm::vec3(0.5f);
-    material.shininess = 40.0f;
+    material.model = Phong{.ambient = {0.06f, 0.03f, 0.02f},
+        .diffuse = {0.80f, 0.30f, 0.12f},
+        .specular = glm::vec3(0.5f),
+        .shininess = 40.0f};
 
     // The axis is y; rings of the tube one after another, the last joined to the first.
     for (std::uint32_t i = 0; i < kAround; ++i) {

@@ -133,10 +133,10 @@ Scene make_wave(std::uint64_t triangles)
     scene.nodes.push_back({.name = "cloth"});
     Material& material = scene.materials.emplace_back();
     material.name = "cloth";
-    material.ambient = {0.02f, 0.04f, 0.08f};
-    material.diffuse = {0.15f, 0.38f, 0.75f};
-    material.specular = glm::vec3(0.35f);
-    material.shininess = 25.0f;
+    material.model = Phong{.ambient = {0.02f, 0.04f, 0.08f},
+        .diffuse = {0.15f, 0.38f, 0.75f},
+        .specular = glm::vec3(0.35f),
+        .shininess = 25.0f};
 
     const std::uint32_t width = grid.columns + 1;
     scene.index.reserve(std::size_t(grid.columns) * grid.rows * 2);

@@ -1,7 +1,7 @@
 // block_surface-inl.h - spreads runs over the samples of their block: normals, texture coordinates.
 //
 // Shading a block has two steps. This one goes run by run, and only does what depends on the
-// triangle, which is a few operations. Then phong_block-inl.h does the rest for all samples of a
+// triangle, which is a few operations. Then shade_block-inl.h does the rest for all samples of a
 // material at once, in full registers, however short the runs are.
 #if defined(FIRSTHIT_SHADE_BLOCK_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_BLOCK_SURFACE_INL_H_
@@ -18,7 +18,6 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 
 #include "glsl/power.glsl"
-#include "glsl/phong.glsl"
 #include "glsl/texture.glsl"
 
 FIRSTHIT_PURE real2 from_glm(const glm::vec2& v)
@@ -26,7 +25,8 @@ FIRSTHIT_PURE real2 from_glm(const glm::vec2& v)
     return real2(v.x, v.y);
 }
 
-/// The samples of one block, between the two steps. Only samples of its runs are defined.
+/// What a block's Surfaces (material/surface.glsl) need of its triangles, between the two steps. Only
+/// samples of its runs are defined.
 struct alignas(64) BlockSurface {
     float normal[3][kBlockSamples];    // interpolated, not unit, on the eye's side; where asked for
     float geometric[3][kBlockSamples]; // unit, towards the eye; where asked for

@@ -3,6 +3,7 @@
 
 #include "base/pure.h"
 #include "hits/known_run.h"
+#include "material/models.h"
 
 #include <firsthit/scene.h>
 
@@ -43,9 +44,9 @@ inline ShadeArrays shade_arrays(const World& world)
 /// The texture of a material, or null.
 inline const Texture* texture_of(const Scene& scene, const Material& material)
 {
-    if (material.texture < 0 || std::size_t(material.texture) >= scene.textures.size())
-        return nullptr;
-    const Texture& texture = scene.textures[std::size_t(material.texture)];
+    const std::int32_t number = texture_number(material);
+    if (number < 0 || std::size_t(number) >= scene.textures.size()) return nullptr;
+    const Texture& texture = scene.textures[std::size_t(number)];
     return texture.levels() == 0 ? nullptr : &texture;
 }
 

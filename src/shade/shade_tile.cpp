@@ -19,9 +19,9 @@
 
 #include "shade/background-inl.h"
 #include "shade/block_surface-inl.h"
-#include "shade/phong_block-inl.h"
 #include "shade/run_textures-inl.h"
 #include "shade/sample_normals-inl.h"
+#include "shade/shade_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {

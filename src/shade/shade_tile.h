@@ -1,4 +1,4 @@
-// shade_tile.h - what colour is it? Phong's model over the hits of one tile.
+// shade_tile.h - what colour is it? Materials over the hits of one tile.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -25,21 +25,19 @@ struct ShadeTargets {
     float* albedo[3] = {};
 };
 
-/// Shades a tile: ambient, diffuse and specular light of every light, textures, two-sided.
+/// Shades a tile by its materials' models (src/material/): what they emit, and what they reflect of
+/// every light. Textures, two-sided.
 /// Allocates nothing, throws nothing. The same bits for every instruction set.
 ///
 /// The ray of sample (x, y) at depth t gives the position (see hits/hit_position.h). Both normals
 /// look towards the eye, whatever the winding; the interpolated one is bent to the eye's horizon
 /// where it would look beyond. A light counts where it is in front of the interpolated normal, as
-/// much as `lit` and a spot's cone let through. It does not fade with distance. A highlight's
-/// exponent below 0 counts as 0.
+/// much as `lit` and a spot's cone let through. It does not fade with distance.
 ///
 /// hits     runs in any order of blocks; fastest where those of a block lie side by side
 /// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels is white
 ///          sound lights (scene/model/check_light.h)
 /// limits   a light farther than 1e19 is not seen: the square of its distance is no float
-///
-/// source  Phong 1975, "Illumination for Computer Generated Pictures"
 void shade_tile(const HitTile& hits, const World& world, const LightVisibility& lit,
     const ShadeTargets& targets);
 

@@ -46,7 +46,8 @@ void check(const firsthit::Scene& scene)
                     scene.index[t][c] - part.first_vertex < part.vertex_count);
     }
     for (const firsthit::Material& material : scene.materials)
-        require(material.texture < static_cast<std::int64_t>(scene.textures.size()));
+        require(std::get<firsthit::Phong>(material.model).texture <
+                static_cast<std::int64_t>(scene.textures.size()));
 }
 
 } // namespace

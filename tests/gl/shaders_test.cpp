@@ -1,6 +1,7 @@
 // shaders_test.cpp - every shader in every variant is accepted by glslangValidator.
 #include "gl/device/program.h"
 #include "gl/device/shader_texts.h"
+#include "material/models.h"
 
 #include <firsthit/film.h>
 
@@ -33,12 +34,14 @@ std::vector<Variant> all_variants()
         {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "1"}, {"FIRSTHIT_STORED_HITS", ""}}},
         {"average.frag", {}}, {"fill_holes.frag", {}}};
     // Every value of every define, and those that meet in one place together.
-    const auto add = [&](const std::string& shader, int test, int channels, bool on, int plane) {
+    const auto add = [&](const std::string& shader, int test, int channels, bool on, int plane,
+                         int model = -1) {
         const std::string flag = on ? "1" : "0";
         gl::Defines defines = {{"FIRSTHIT_TEST", std::to_string(test)},
             {"FIRSTHIT_ITEM_CHANNELS", std::to_string(channels)}, {"FIRSTHIT_SHADOW_MAPS", flag},
             {"FIRSTHIT_TEXTURES", flag}, {"FIRSTHIT_FEW_LIGHTS", on ? "28" : "0"},
-            {"FIRSTHIT_PLANE", std::to_string(plane)}};
+            {"FIRSTHIT_PLANE", std::to_string(plane)},
+            {"FIRSTHIT_ONLY_MODEL", std::to_string(model)}};
         variants.push_back({shader, defines});
         defines.push_back({"FIRSTHIT_STORED_HITS", ""});
         defines.push_back({"FIRSTHIT_COUNT_INVOCATIONS", ""});
@@ -47,6 +50,7 @@ std::vector<Variant> all_variants()
     for (const char* shader :
         {"early_z.frag", "intersect.frag", "hit_bounds.comp", "shade_hits.frag"}) {
         for (int test = 0; test < 4; ++test) add(shader, test, 1, true, 0);
+        for (int model = 0; model < kModelCount; ++model) add(shader, 0, 1, true, 0, model);
         for (const int channels : {3, 4}) add(shader, 1, channels, false, 0);
     }
     for (int aov = 0; aov < kAovCount; ++aov) add("plane.frag", 1, 1, aov % 2 == 0, aov);

@@ -5,18 +5,27 @@
 #include "hits/hit_position.h"
 #include "hits/known_run.h"
 #include "hits/spot_cone.h"
-#include "shade/phong_exponent.h"
+#include "material/models.h"
 #include "shade/run_setup.h"
 #include "shade/shade_tile.h"
 
 #include <array>
+#include <variant>
 
 namespace firsthit {
 namespace scalar {
 
 #include "glsl/power.glsl"
-#include "glsl/phong.glsl"
 #include "glsl/texture.glsl"
+
+using glm::vec3;
+
+FIRSTHIT_PURE real3 all_lanes(const vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+#include "material/texts.inl"
 
 inline real2 from_glm(const glm::vec2& v)
 {
@@ -52,8 +61,10 @@ inline real3 sample_texture(const Texture& texture, real u, real v, real length2
     return {texel_light(sum[0]), texel_light(sum[1]), texel_light(sum[2])};
 }
 
+template <class Model>
 inline void shade_sample(const HitTile& hits, const World& world, const LightVisibility& lit,
-    const ShadeTargets& targets, const HitRun& run, int sample)
+    const ShadeTargets& targets, const HitRun& run, int sample, const Material& material,
+    const Model& model)
 {
     const Scene& scene = *world.scene;
     const ShadeArrays arrays = shade_arrays(world);
@@ -61,7 +72,6 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     const Interpolated<glm::vec3> run_normals = run_normal(
         arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.rays.eye).plane));
     const Interpolated<glm::vec2> run_uvs = run_uv(arrays, run_plane.corner);
-    const Material& material = scene.materials[scene.parts[scene.owner[run.item]].material];
     const std::size_t at = std::size_t(run.block) * kBlockSamples + std::size_t(sample);
     const real t = hits.t[at], u = hits.u[at], v = hits.v[at];
     const auto write = [&](float* const(&plane)[3], const real3& value) {
@@ -75,14 +85,15 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     const int x = static_cast<int>(run.block) % blocks_x * kBlock + block_x(sample);
     const int y = static_cast<int>(run.block) / blocks_x * kBlock + block_y(sample);
     const real3 direction = ray_direction(hits.rays, static_cast<float>(x), static_cast<float>(y));
-    const real3 position = hit_position(from_glm(hits.rays.eye), direction, t);
-    const real3 geometric = from_glm(geometric_normal(arrays, run, hits.rays));
-    const real3 to_eye = unit(real3(0, 0, 0) - direction);
-    const real3 normal = visible_normal(
+    Surface surface;
+    surface.position = hit_position(from_glm(hits.rays.eye), direction, t);
+    surface.geometric = from_glm(geometric_normal(arrays, run, hits.rays));
+    surface.to_eye = unit(real3(0, 0, 0) - direction);
+    surface.normal = visible_normal(
         from_glm(run_normals.at0) + (from_glm(run_normals.to1) * u + from_glm(run_normals.to2) * v),
-        geometric, to_eye);
+        surface.geometric, surface.to_eye);
     const real2 less_corner = from_glm(run_uvs.to1) * u + from_glm(run_uvs.to2) * v;
-    const real2 uv = from_glm(run_uvs.at0) + less_corner;
+    const real2 uv = surface.uv = from_glm(run_uvs.at0) + less_corner;
 
     real3 color_of_texture(1, 1, 1);
     if (const Texture* texture = texture_of(scene, material)) {
@@ -93,35 +104,30 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
             footprint2(less_corner.x, less_corner.y, t, from_glm(gradients.u),
                 from_glm(gradients.v), from_glm(gradients.one), size));
     }
-    const real3 diffuse = from_glm(material.diffuse) * color_of_texture;
-    real3 color = from_glm(material.ambient * scene.ambient) * color_of_texture;
-    const PhongExponent exponent = phong_exponent(material.shininess);
+    const auto inputs = inputs_of(model, color_of_texture);
+    real3 color = emitted(inputs, scene.ambient);
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
         const Light& light = world.lights[l];
         real share = lit.lit ? lit.of_light(l)[at] : 1.0f;
         real3 to_light(0, 0, 0);
         if (light.kind == Light::Kind::point) {
-            to_light = unit(from_glm(glm::vec3(light.position)) - position);
+            to_light = unit(from_glm(glm::vec3(light.position)) - surface.position);
         } else if (light.kind == Light::Kind::directional) {
             to_light = from_glm(glm::vec3(-glm::normalize(light.direction)));
         } else {
             const glm::vec3 d = firsthit::to_light(light_space(light, glm::dvec3(hits.rays.eye)),
-                {position.x, position.y, position.z});
+                {surface.position.x, surface.position.y, surface.position.z});
             share = share * spot_share(spot_cone(light), d);
             to_light = unit(real3(0, 0, 0) - from_glm(d));
         }
         if (!(share > 0)) continue;
-        const real cosine = n_dot_l(normal, to_light);
-        const real specular_weight =
-            highlight(normal, to_eye, to_light, cosine, exponent.whole, exponent.value);
-        color = color + reflected(from_glm(light.color), diffuse, cosine,
-                            from_glm(material.specular), specular_weight) *
-                            share;
+        if constexpr (kReflects<Model>)
+            color = color + reflected(inputs, surface, to_light, from_glm(light.color)) * share;
     }
-    write(targets.position, position);
-    write(targets.geometric_normal, geometric);
-    write(targets.normal, normal);
-    write(targets.albedo, diffuse);
+    write(targets.position, surface.position);
+    write(targets.geometric_normal, surface.geometric);
+    write(targets.normal, surface.normal);
+    write(targets.albedo, albedo(inputs));
     write(targets.color, color);
     if (targets.uv[0]) {
         targets.uv[0][at] = uv.x;
@@ -144,8 +150,17 @@ inline void plain_shade(const HitTile& hits, const World& world, const LightVisi
         }
     for (const HitRun& run : hits.runs)
         for (int sample = 0; sample < kBlockSamples; ++sample)
-            if (run.samples >> sample & 1)
-                scalar::shade_sample(hits, world, lit, targets, run, sample);
+            if (run.samples >> sample & 1) {
+                const Scene& scene = *world.scene;
+                const Material& material =
+                    scene.materials[scene.parts[scene.owner[run.item]].material];
+                std::visit(
+                    [&](const auto& model) {
+                        scalar::shade_sample(
+                            hits, world, lit, targets, run, sample, material, model);
+                    },
+                    material.model);
+            }
 }
 
 } // namespace firsthit

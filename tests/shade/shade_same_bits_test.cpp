@@ -62,7 +62,7 @@ void fill_with_soup(TileScene& tile, std::mt19937& random)
     const float shininess[] = {0, 1, 5, 10.5f, 64, 300, 0.25f};
     for (int k = 0; k < 60; ++k) {
         if (k % 4 == 0) {
-            Material& material = tile.add_material();
+            Phong& material = tile.add_material();
             material.ambient = glm::abs(random_point(random, 1));
             material.diffuse = glm::abs(random_point(random, 1));
             if (k % 3) material.specular = glm::abs(random_point(random, 1));

@@ -234,7 +234,7 @@ TEST(ShadeTile, EachRunWritesItsOwnSamplesAndNoOther)
     tile.runs.clear();
     for (int k = 0; k < 64; ++k) {
         const int sample = k * 37 % 64;
-        Material& material = tile.add_material();
+        Phong& material = tile.add_material();
         material.ambient = glm::vec3(static_cast<float>(sample));
         tile.scene.index.push_back(tile.scene.index[0]);
         tile.scene.owner.push_back(static_cast<std::uint32_t>(k + 1));

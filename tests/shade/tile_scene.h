@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <variant>
 #include <vector>
 
 namespace firsthit {
@@ -47,15 +48,15 @@ struct TileScene {
     }
     TileScene(const TileScene&) = delete;
 
-    Material& material() { return scene.materials[0]; }
+    Phong& material() { return std::get<Phong>(scene.materials[0].model); }
 
     /// A new material in a part of its own, for triangles added after this.
-    Material& add_material()
+    Phong& add_material()
     {
         scene.materials.emplace_back();
         scene.parts.emplace_back();
         scene.parts.back().material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-        return scene.materials.back();
+        return std::get<Phong>(scene.materials.back().model);
     }
 
     /// A triangle of the newest part; normals are those of its plane unless given later.

@@ -3,6 +3,7 @@
 
 #include "gl/device/context.h"
 #include "gl/device/shader_texts.h"
+#include "material/glsl_models.h"
 
 #include <firsthit/error.h>
 
@@ -13,7 +14,7 @@
 namespace firsthit::gl {
 namespace {
 
-/// src/glsl is C++ too: these are its words in GLSL.
+/// src/glsl and the texts of src/material are C++ too: these are its words in GLSL.
 constexpr std::string_view kWords = "#version 450 core\n"
                                     "#define FIRSTHIT_PURE\n"
                                     "#define FIRSTHIT_PRECISE precise\n"
@@ -22,6 +23,7 @@ constexpr std::string_view kWords = "#version 450 core\n"
                                     "#define real3 vec3\n"
                                     "#define integer int\n"
                                     "#define truth bool\n"
+                                    "#define all_lanes(v) (v)\n"
                                     "#define shift_left_23(a) ((a) << 23)\n"
                                     "#define shift_right_15(a) ((a) >> 15)\n"
                                     "#define shift_right_23(a) ((a) >> 23)\n";
@@ -33,6 +35,9 @@ std::string_view file_of(std::string_view name)
 
 const ShaderText& find_text(std::string_view name)
 {
+    static const std::string kModelsText = glsl_models();
+    static const ShaderText kModels{"material/models.glsl", kModelsText};
+    if (file_of(kModels.name) == name) return kModels;
     for (const ShaderText& text : shader_texts())
         if (text.name == name || file_of(text.name) == name) return text;
     throw ArgumentError(fmt::format("there is no shader text '{}'", name));

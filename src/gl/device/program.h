@@ -25,7 +25,8 @@ struct ShaderSource {
     std::vector<std::string_view> files; // number k of a log is the line of this file
 };
 
-/// The text of src/gl/shaders or src/glsl with that name: "pose.comp" or "gl/shaders/pose.comp".
+/// The text of src/gl/shaders, src/glsl or src/material with that name: "pose.comp" or
+/// "gl/shaders/pose.comp"; or "models.glsl", which glsl_models writes.
 /// Each `#include "name"` is replaced by its text where it comes first, later ones by nothing. In
 /// front stand the version, the words of src/glsl (real, real3, ...) and the defines.
 ///

@@ -34,16 +34,6 @@ static_assert(offsetof(FrameData, shear) == 64 && offsetof(FrameData, lights) ==
               offsetof(FrameData, ambient) == 96 && offsetof(FrameData, size) == 112 &&
               offsetof(FrameData, triangles) == 128 && sizeof(FrameData) == 144);
 
-struct MaterialData {
-    glm::vec3 ambient{0};
-    std::int32_t texture = -1;
-    glm::vec3 diffuse{0};
-    float shininess = 0;
-    glm::vec3 specular{0};
-    std::int32_t whole_shininess = -1; // see shade/phong_exponent.h
-};
-static_assert(offsetof(MaterialData, diffuse) == 16 && offsetof(MaterialData, specular) == 32 &&
-              sizeof(MaterialData) == 48);
 
 /// At most so many lights lie in uniform blocks, of which every driver has 16 KB; more in storage
 /// blocks, which are slower.

@@ -3,7 +3,6 @@
 
 #include "gl/bindings.h"
 #include "gl/device/context.h"
-#include "shade/phong_exponent.h"
 
 #include <firsthit/error.h>
 
@@ -19,22 +18,23 @@ namespace {
 
 constexpr std::size_t kTexelWords = sizeof(Texel) / sizeof(std::uint32_t);
 
-void fill_materials(const Scene& scene, std::vector<MaterialData>& all)
+void fill_materials(const Scene& scene, std::vector<MaterialTexels>& all)
 {
     all.clear();
     for (const Material& material : scene.materials) {
-        const PhongExponent exponent = phong_exponent(material.shininess);
-        MaterialData data{.ambient = material.ambient,
-            .diffuse = material.diffuse,
-            .shininess = exponent.value,
-            .specular = material.specular,
-            .whole_shininess = exponent.whole};
-        const auto texture = std::size_t(material.texture);
-        if (material.texture >= 0 && texture < scene.textures.size() &&
-            scene.textures[texture].levels() > 0)
-            data.texture = material.texture;
-        all.push_back(data);
+        const std::int32_t texture = texture_number(material);
+        const bool drawn = texture >= 0 && std::size_t(texture) < scene.textures.size() &&
+                           scene.textures[std::size_t(texture)].levels() > 0;
+        all.push_back(material_texels(material, drawn ? texture : -1));
     }
+}
+
+int only_model_of(const Scene& scene)
+{
+    if (scene.materials.empty()) return 0;
+    const std::size_t first = scene.materials[0].model.index();
+    const auto other = [&](const Material& m) { return m.model.index() != first; };
+    return std::any_of(scene.materials.begin(), scene.materials.end(), other) ? -1 : int(first);
 }
 
 /// What comes before the texels; their places are filled in.
@@ -72,11 +72,12 @@ void for_textures(const Scene& scene, std::size_t first, const Body& body)
 
 void MaterialBuffers::update(const Scene& scene, std::int64_t max_storage_bytes)
 {
+    only_model_ = only_model_of(scene);
     fill_materials(scene, material_);
     if (kept_material_.follow(material_)) {
-        materials_.assign(std::span<const MaterialData>(material_));
+        materials_.assign(std::span<const MaterialTexels>(material_));
         ++uploads_;
-        uploaded_bytes_ += material_.size() * sizeof(MaterialData);
+        uploaded_bytes_ += material_.size() * sizeof(MaterialTexels);
     }
 
     fill_tables(scene, tables_);

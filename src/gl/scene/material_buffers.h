@@ -1,9 +1,9 @@
 // material_buffers.h - materials and textures where shaders read them.
 #pragma once
 
-#include "gl/scene/gpu_data.h"
 #include "gl/scene/kept_copy.h"
 #include "gl/device/objects.h"
+#include "material/texels.h"
 
 #include <firsthit/scene.h>
 
@@ -26,18 +26,22 @@ class MaterialBuffers {
     /// As the textures of materials.glsl and sample_texture.glsl.
     void bind();
 
+    /// The model of all materials (its place in material/models.h), or -1 where they have several.
+    int only_model() const { return only_model_; }
+
     /// So far.
     std::uint64_t uploads() const { return uploads_; }
     std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
     BufferTexture material_texels_, word_texels_;
-    Buffer materials_;     // (materials) MaterialData
+    Buffer materials_;     // (materials) MaterialTexels
     Buffer texture_words_; // see above
-    std::vector<MaterialData> material_;
-    KeptCopy<MaterialData> kept_material_;
+    std::vector<MaterialTexels> material_;
+    KeptCopy<MaterialTexels> kept_material_;
     std::vector<std::uint32_t> tables_;
     std::vector<std::uint32_t> words_; // copy of texture_words_
+    int only_model_ = 0;
     std::uint64_t uploads_ = 0, uploaded_bytes_ = 0;
 };
 

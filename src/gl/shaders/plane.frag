@@ -7,12 +7,13 @@
 #include "hit_position.glsl"
 #include "spot_cone.glsl"
 #include "power.glsl"
-#include "phong.glsl"
 #include "texture.glsl"
 #include "shadow_map.glsl"
-#include "materials.glsl"
-#include "sample_texture.glsl"
 #include "surface.glsl"
+#include "materials.glsl"
+#include "models.glsl"
+#include "sample_texture.glsl"
+#include "find_surface.glsl"
 #include "lights.glsl"
 #include "sample_shadow_map.glsl"
 #include "shade.glsl"
@@ -41,7 +42,8 @@ void main()
 #else
     plane_out = vec4(0.0);
     if (!is_hit(hit)) return;
-    Surface surface = find_surface(at, hit);
+    SurfaceHit seen = find_surface(at, hit);
+    Surface surface = seen.surface;
 #if FIRSTHIT_PLANE == 3 // uv
     plane_out.xy = surface.uv;
 #elif FIRSTHIT_PLANE == 4 // normal
@@ -51,9 +53,9 @@ void main()
 #elif FIRSTHIT_PLANE == 6 // position
     plane_out.xyz = surface.position;
 #elif FIRSTHIT_PLANE == 7 // albedo
-    plane_out.xyz = material_data(surface.material).diffuse * texture_of(surface);
+    plane_out.xyz = albedo(inputs_of(seen.material, texture_of(seen)));
 #elif FIRSTHIT_PLANE == 9 // lit
-    plane_out.x = lit_by(light_id, at, hit, surface);
+    plane_out.x = lit_by(light_id, at, hit, seen);
 #endif
 #endif
 }

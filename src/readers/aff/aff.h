@@ -24,7 +24,7 @@
 //   and leaves a plain colour. Texture coordinates stay as they are, and pictures are turned upside
 //   down, as BART has v = 0 at the first row of a file and a Texture at the last.
 // - The current material is one for all files and is not restored by `}`. Before the first `f` or
-//   `fm` it is Material{}. An `f` has no ambient colour. Colours are linear.
+//   `fm` it is Phong{}. An `f` has no ambient colour. Colours are linear.
 // - Lights are in world space wherever they stand.
 // - A polygon, triangle or mesh without normals is flat. A normal of length zero counts as none.
 // - A sphere of n segments has n (n - 2) triangles: 960 at 32. A cone has 2 n, or n where one

@@ -90,19 +90,20 @@ void Builder::add_morph_triangle(const Lexer& lexer, std::uint32_t node, std::ui
     add_triangle(a, b, add_vertex(keys[0].position[2], keys[0].normal[2]));
 }
 
-std::uint32_t Builder::material(const Material& material, std::int32_t texture)
+std::uint32_t Builder::material(const std::string& name, const Phong& phong, std::int32_t texture)
 {
-    const Material& m = material;
+    const Phong& m = phong;
     const std::array<float, 13> key = {m.ambient.x, m.ambient.y, m.ambient.z, m.diffuse.x,
         m.diffuse.y, m.diffuse.z, m.specular.x, m.specular.y, m.specular.z, m.shininess,
         m.transmittance, m.ior, static_cast<float>(texture)};
     const auto [entry, is_new] =
         materials_.try_emplace(key, static_cast<std::uint32_t>(scene.materials.size()));
     if (is_new) {
-        scene.materials.push_back(material);
-        scene.materials.back().texture = texture;
-        if (texture >= 0)
-            scene.materials.back().name += " " + scene.textures[std::size_t(texture)].name();
+        Material& made = scene.materials.emplace_back();
+        made.name = name;
+        if (texture >= 0) made.name += " " + scene.textures[std::size_t(texture)].name();
+        Phong& model = made.model.emplace<Phong>(phong);
+        model.texture = texture;
     }
     return entry->second;
 }

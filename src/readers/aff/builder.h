@@ -35,8 +35,9 @@ class Builder {
     void add_morph_triangle(const Lexer& lexer, std::uint32_t node, std::uint32_t material,
         const std::vector<MorphKey>& keys);
 
-    /// The number of this material wearing a texture (-1 none).
-    std::uint32_t material(const Material& material, std::int32_t texture);
+    /// The number of the material that is `phong` with a texture (-1 none).
+    /// name  that it gets if it is new
+    std::uint32_t material(const std::string& name, const Phong& phong, std::int32_t texture);
     /// The number of a texture, or -1 and a warning, once a file, where it cannot be read.
     std::int32_t texture(const Lexer& lexer, std::string_view name);
 

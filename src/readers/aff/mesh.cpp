@@ -160,7 +160,8 @@ void read_mesh(Lexer& lexer, State& state)
 {
     const Mesh mesh = read_streams(lexer, state);
     Builder& builder = state.builder;
-    builder.begin_part(lexer, state.node, builder.material(state.material, mesh.texture));
+    builder.begin_part(
+        lexer, state.node, builder.material(state.material_name, state.material, mesh.texture));
     Unifier unifier(mesh, builder);
     const AffMeshRange range = unifier.add_positions();
     if (state.meshes) state.meshes->push_back(range);

@@ -24,7 +24,8 @@ glm::vec3 corner_normal(Lexer& lexer, bool has_normal)
 
 void begin_plain_part(const Lexer& lexer, State& state)
 {
-    state.builder.begin_part(lexer, state.node, state.builder.material(state.material, -1));
+    state.builder.begin_part(
+        lexer, state.node, state.builder.material(state.material_name, state.material, -1));
 }
 
 void add_facets(const Lexer& lexer, State& state, const Facets& facets)
@@ -76,7 +77,8 @@ void read_any_textured_triangle(Lexer& lexer, State& state, bool has_normals)
         uv[k] = lexer.small_pair("a texture coordinate");
     }
 
-    state.builder.begin_part(lexer, state.node, state.builder.material(state.material, texture));
+    state.builder.begin_part(
+        lexer, state.node, state.builder.material(state.material_name, state.material, texture));
     const glm::vec3 flat = flat_normal(position);
     std::array<std::uint32_t, 3> vertex;
     for (std::size_t k = 0; k < 3; ++k)
@@ -148,7 +150,7 @@ void read_animated_triangle(Lexer& lexer, State& state)
         keys.push_back(std::move(key));
     }
     state.builder.add_morph_triangle(
-        lexer, state.node, state.builder.material(state.material, -1), keys);
+        lexer, state.node, state.builder.material(state.material_name, state.material, -1), keys);
 }
 
 } // namespace firsthit::aff

@@ -25,7 +25,8 @@ struct State {
     Builder builder;
     const LoadSettings& settings;
     std::vector<AffMeshRange>* meshes; // null where the caller did not ask for them
-    Material material;
+    std::string material_name;         // the statement's place
+    Phong material;
     std::int64_t detail = 0;
     std::uint32_t node = 0;   // that shapes belong to
     std::string camera_place; // of the `v`

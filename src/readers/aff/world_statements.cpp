@@ -19,10 +19,10 @@ glm::vec3 optional_color(Lexer& lexer)
     return {*red, green, blue};
 }
 
-void set_material(const Lexer& lexer, State& state, Material material)
+void set_material(const Lexer& lexer, State& state, const Phong& material)
 {
-    material.name = lexer.file() + ":" + std::to_string(lexer.line());
-    state.material = std::move(material);
+    state.material_name = lexer.file() + ":" + std::to_string(lexer.line());
+    state.material = material;
 }
 
 } // namespace
@@ -98,7 +98,7 @@ void read_detail(Lexer& lexer, State& state)
 
 void read_simple_material(Lexer& lexer, State& state)
 {
-    Material material;
+    Phong material;
     const glm::vec3 color = lexer.small_triple("the material's colour");
     const float diffuse = lexer.small_number("the material's Kd");
     material.ambient = glm::vec3(0);
@@ -115,7 +115,7 @@ void read_simple_material(Lexer& lexer, State& state)
 
 void read_full_material(Lexer& lexer, State& state)
 {
-    Material material;
+    Phong material;
     material.ambient = lexer.small_triple("the material's ambient colour");
     material.diffuse = lexer.small_triple("the material's diffuse colour");
     material.specular = lexer.small_triple("the material's specular colour");

@@ -62,7 +62,7 @@ Library read_libraries(
             }
             add_file(path, scene.files);
             for (MtlMaterial& mtl : read_mtl(read_whole_file(path, kMaxLibrary), path.string())) {
-                const std::string key = mtl.material.name;
+                const std::string key = mtl.name;
                 library.try_emplace(key, FoundMaterial{std::move(mtl), path.parent_path()});
             }
         }
@@ -115,10 +115,11 @@ void read_materials(const RawMesh& raw, const std::string& name,
             continue;
         }
         const auto& [mtl, library_folder] = found->second;
-        Material material = mtl.material;
+        Material& made = scene.materials.emplace_back();
+        made.name = mtl.name;
+        Phong& phong = made.model.emplace<Phong>(mtl.material);
         if (!mtl.texture.empty() && has_uv)
-            material.texture = textures.number(library_folder / mtl.texture);
-        scene.materials.push_back(std::move(material));
+            phong.texture = textures.number(library_folder / mtl.texture);
     }
     if (missing_count > 0)
         scene.warnings.push_back(

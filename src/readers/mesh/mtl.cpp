@@ -62,7 +62,7 @@ std::vector<MtlMaterial> read_mtl(std::string_view bytes, const std::string& nam
         const std::string_view word = text.next_word();
         if (word == "newmtl") {
             MtlMaterial& made = materials.emplace_back();
-            made.material.name = text.rest_of_line();
+            made.name = text.rest_of_line();
             made.material.ambient = made.material.diffuse;
             continue;
         }
@@ -70,7 +70,7 @@ std::vector<MtlMaterial> read_mtl(std::string_view bytes, const std::string& nam
                            word == "Ni" || word == "d" || word == "Tr" || word == "map_Kd";
         if (!known) continue;
         if (materials.empty()) text.fail(fmt::format("{} stands before any newmtl", word));
-        auto& [material, has_ambient, texture] = materials.back();
+        auto& [name_of, material, has_ambient, texture] = materials.back();
         if (word == "Ka") {
             read_color(text, material.ambient);
             has_ambient = true;

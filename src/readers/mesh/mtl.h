@@ -11,7 +11,8 @@ namespace firsthit {
 
 /// A material as its library has it; the texture is still a file's name.
 struct MtlMaterial {
-    Material material;
+    std::string name;
+    Phong material;
     bool has_ambient = false;
     std::string texture; // map_Kd, relative to the library's folder; empty: none
 };

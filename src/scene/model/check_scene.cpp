@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <variant>
 
 namespace firsthit {
 namespace {
@@ -123,19 +124,30 @@ void check_tracks(const Scene& scene)
     }
 }
 
+bool all_finite(const glm::vec3& c)
+{
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+}
+
+bool all_finite(const Phong& phong)
+{
+    return all_finite(phong.ambient) && all_finite(phong.diffuse) && all_finite(phong.specular) &&
+           std::isfinite(phong.shininess) && std::isfinite(phong.transmittance) &&
+           std::isfinite(phong.ior);
+}
+
 void check_materials(const Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const Material& material = scene.materials[m];
         const std::string what = fmt::format("material {} '{}'", m, material.name);
-        check_number(scene, material.texture, scene.textures.size(), what + ": texture");
-        const auto finite = [](const glm::vec3& c) {
-            return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
-        };
-        if (!finite(material.ambient) || !finite(material.diffuse) || !finite(material.specular) ||
-            !std::isfinite(material.shininess) || !std::isfinite(material.transmittance) ||
-            !std::isfinite(material.ior))
-            fail(scene, what + " is not finite");
+        if (!material.double_sided) fail(scene, what + " has one side, which is not drawn yet");
+        std::visit(
+            [&](const auto& model) {
+                check_number(scene, model.texture, scene.textures.size(), what + ": texture");
+                if (!all_finite(model)) fail(scene, what + " is not finite");
+            },
+            material.model);
     }
 }
 

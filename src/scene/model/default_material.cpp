@@ -7,10 +7,10 @@ Material default_material()
 {
     Material grey;
     grey.name = "grey";
-    grey.ambient = glm::vec3(0.6f);
-    grey.diffuse = glm::vec3(0.6f);
-    grey.specular = glm::vec3(0.2f);
-    grey.shininess = 30.0f;
+    grey.model = Phong{.ambient = glm::vec3(0.6f),
+        .diffuse = glm::vec3(0.6f),
+        .specular = glm::vec3(0.2f),
+        .shininess = 30.0f};
     return grey;
 }
 

@@ -19,7 +19,7 @@ TEST(AffMesh, KeepsTheVerticesInFileOrderWhereTheStreamsAgree)
     EXPECT_EQ(scene.uv[3], glm::vec2(0, 1));
     EXPECT_EQ(scene.normal[3], glm::vec3(0, 0, 1));
     EXPECT_EQ(scene.index, (std::vector<glm::uvec3>{{0, 2, 3}, {0, 1, 2}}));
-    EXPECT_EQ(scene.materials[0].texture, 0);
+    EXPECT_EQ(std::get<Phong>(scene.materials[0].model).texture, 0);
 }
 
 TEST(AffMesh, MakesVerticesOfCornersThatDiffer)

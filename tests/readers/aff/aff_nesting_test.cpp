@@ -70,7 +70,7 @@ TEST(AffNesting, KeepsAnIncludedMaterial)
 {
     const Scene scene = scene_of(
         "f 1 0 0 1 0 1 0 1 x a {i 0 c.aff} " + kTriangle, {{"c.aff", "f 0 1 0 1 0 1 0 1"}});
-    EXPECT_EQ(scene.materials[0].diffuse, glm::vec3(0, 1, 0));
+    EXPECT_EQ(std::get<Phong>(scene.materials[0].model).diffuse, glm::vec3(0, 1, 0));
 }
 
 TEST(AffNesting, IncludesUpToTheDetailLevel)

@@ -39,7 +39,7 @@ TEST(AffShapes, WearTextures)
                                  "ttp red.ppm 0 0 0 1 0 0 .1 .2 1 0 0 1 0 0 .3 .4 0 1 0 1 0 0 7 8");
     ASSERT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.textures[0].name(), "red.ppm");
-    EXPECT_EQ(scene.materials[0].texture, 0);
+    EXPECT_EQ(std::get<Phong>(scene.materials[0].model).texture, 0);
     EXPECT_EQ(scene.parts.size(), 1u);
     ASSERT_EQ(scene.uv.size(), 6u);
     EXPECT_EQ(scene.uv[1], glm::vec2(0.3f, 0.4f));

@@ -6,11 +6,11 @@
 namespace firsthit {
 namespace {
 
-Material material_of(const std::string& text)
+Phong material_of(const std::string& text)
 {
     const Scene scene = scene_of(text + "\n" + kTriangle);
     EXPECT_EQ(scene.materials.size(), 1u);
-    return scene.materials[scene.parts[0].material];
+    return std::get<Phong>(scene.materials[scene.parts[0].material].model);
 }
 
 TEST(AffWorld, ReadsTheCamera)
@@ -84,7 +84,7 @@ TEST(AffWorld, IsBlackFullyAmbientAndStillByDefault)
 
 TEST(AffWorld, ReadsSimpleMaterials)
 {
-    const Material m = material_of("f 1 .5 .25 .5 .3 20 .1 1.5");
+    const Phong m = material_of("f 1 .5 .25 .5 .3 20 .1 1.5");
     EXPECT_EQ(m.ambient, glm::vec3(0));
     EXPECT_EQ(m.diffuse, glm::vec3(0.5f, 0.25f, 0.125f));
     EXPECT_EQ(m.specular, glm::vec3(0.3f));
@@ -96,7 +96,7 @@ TEST(AffWorld, ReadsSimpleMaterials)
 
 TEST(AffWorld, ReadsFullMaterials)
 {
-    const Material m = material_of("fm .1 .2 .3 .4 .5 .6 .7 .8 .9 10 .5 1.3");
+    const Phong m = material_of("fm .1 .2 .3 .4 .5 .6 .7 .8 .9 10 .5 1.3");
     EXPECT_EQ(m.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(m.diffuse, glm::vec3(0.4f, 0.5f, 0.6f));
     EXPECT_EQ(m.specular, glm::vec3(0.7f, 0.8f, 0.9f));

@@ -19,8 +19,8 @@ TEST(Mtl, ReadsPhongsNumbers)
                                     "newmtl b\nTr 0.25\nd -halo 0.5\nmap_Kd 7\n",
         "m.mtl");
     ASSERT_EQ(materials.size(), 2u);
-    const Material& red = materials[0].material;
-    EXPECT_EQ(red.name, "red one");
+    const Phong& red = materials[0].material;
+    EXPECT_EQ(materials[0].name, "red one");
     EXPECT_EQ(red.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(red.diffuse, glm::vec3(0.9f, 0.1f, 0.1f));
     EXPECT_EQ(red.specular, glm::vec3(0.5f));
@@ -58,8 +58,10 @@ TEST(Mtl, IsUsedByTheFacesThatNameIt)
         "mtllib my colours.mtl\n" + kTriangle + "usemtl green\nf 1 2 3\nusemtl red\nf 3 2 1\n");
     const Scene scene = read_mesh_file(path, {});
     EXPECT_TRUE(scene.warnings.empty());
-    EXPECT_EQ(scene.materials[scene.parts[0].material].diffuse, glm::vec3(0, 1, 0));
-    EXPECT_EQ(scene.materials[scene.parts[1].material].diffuse, glm::vec3(1, 0, 0));
+    EXPECT_EQ(std::get<Phong>(scene.materials[scene.parts[0].material].model).diffuse,
+        glm::vec3(0, 1, 0));
+    EXPECT_EQ(std::get<Phong>(scene.materials[scene.parts[1].material].model).diffuse,
+        glm::vec3(1, 0, 0));
 }
 
 TEST(Mtl, MissingLibrariesAndMaterialsGiveAWarningAndGrey)
@@ -74,7 +76,8 @@ TEST(Mtl, MissingLibrariesAndMaterialsGiveAWarningAndGrey)
     expect_in(scene.warnings[2], "'green'");
     const Material& material = scene.materials[scene.parts[0].material];
     EXPECT_EQ(material.name, "green");
-    EXPECT_EQ(material.diffuse, default_material().diffuse);
+    EXPECT_EQ(
+        std::get<Phong>(material.model).diffuse, std::get<Phong>(default_material().model).diffuse);
 }
 
 TEST(Mtl, AMissingTextureGivesOneWarningAndAPlainColour)
@@ -86,8 +89,8 @@ TEST(Mtl, AMissingTextureGivesOneWarningAndAPlainColour)
     const Scene scene = read_mesh_file(path, {});
     ASSERT_EQ(scene.warnings.size(), 1u);
     expect_in(scene.warnings[0], "none.png");
-    EXPECT_EQ(scene.materials[0].texture, -1);
-    EXPECT_EQ(scene.materials[0].diffuse, glm::vec3(1, 0, 0));
+    EXPECT_EQ(std::get<Phong>(scene.materials[0].model).texture, -1);
+    EXPECT_EQ(std::get<Phong>(scene.materials[0].model).diffuse, glm::vec3(1, 0, 0));
 }
 
 } // namespace

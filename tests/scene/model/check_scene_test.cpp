@@ -95,9 +95,12 @@ TEST(CheckScene, RefusesParentsThatComeLaterAndNumbersOutOfRange)
     EXPECT_NE(message_after([](Scene& s) { s.camera_track = 0; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.lights[0].track = 3; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.lights[0].color.g = std::nanf(""); }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.materials[0].texture = 0; }), "no error");
-    EXPECT_NE(
-        message_after([](Scene& s) { s.materials[0].diffuse.b = std::nanf(""); }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { std::get<Phong>(s.materials[0].model).texture = 0; }),
+        "no error");
+    EXPECT_NE(message_after([](Scene& s) {
+        std::get<Phong>(s.materials[0].model).diffuse.b = std::nanf("");
+    }),
+        "no error");
 }
 
 TEST(CheckScene, NamesALightAndWhatItAccepts)

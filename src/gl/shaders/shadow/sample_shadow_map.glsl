@@ -12,13 +12,13 @@ layout(binding = 13) uniform samplerBuffer map_depth;
 const float kRounding = 9.5367431640625e-7; // 2^-20
 
 /// Steepness as slope_bias takes it; -1 where the light is not on the eye's side of the plane.
-float receiver_slope_of(LightData light, Surface surface)
+float receiver_slope_of(LightData light, SurfaceHit seen)
 {
-    vec3 n = surface.geometric;
+    vec3 n = seen.surface.geometric;
     float along = dot(n, light.frame_z);
     float size = abs(dot(n, light.frame_x)) + abs(dot(n, light.frame_y)) + abs(along);
     float height =
-        light.kind == kDirectionalLight ? along : dot(n, surface.corner - light.position);
+        light.kind == kDirectionalLight ? along : dot(n, seen.corner - light.position);
     // The normal looks towards the eye: the light's way has to be against it.
     return height < 0.0 ? min(size / -height, 1e30) : -1.0;
 }
@@ -66,9 +66,9 @@ float lit_share(MapData map, bool parallel, vec3 eye_d, float t, float receiver_
 }
 
 /// light_id  its faces' maps are map_data[6 light_id] and on
-float sample_shadow_map(int light_id, LightData light, vec3 eye_d, float t, Surface surface)
+float sample_shadow_map(int light_id, LightData light, vec3 eye_d, float t, SurfaceHit seen)
 {
-    float receiver_slope = receiver_slope_of(light, surface);
+    float receiver_slope = receiver_slope_of(light, seen);
     if (!(receiver_slope > 0.0)) return 0.0;
     vec3 p = transform_ray(light.to_frame, eye_d, t);
     if (light.tan2_cone > 0.0 && !in_cone(p, light.tan2_cone)) return 0.0;

@@ -1,12 +1,8 @@
-// surface.glsl - the triangle behind a hit, as shading sees it: src/shade/run_setup.h, for a pixel.
+// find_surface.glsl - the triangle behind a hit, as shading sees it: src/shade/run_setup.h, for a pixel.
 
-struct Surface {
-    vec3 position; // world space
-    vec3 to_eye; // unit
-    vec3 geometric; // the plane's normal, unit, towards the eye
-    vec3 normal; // interpolated, unit, towards the eye
+struct SurfaceHit {
+    Surface surface;
     vec3 corner; // one of the triangle, world space
-    vec2 uv;
     float footprint2; // see texture.glsl
     uint material;
 };
@@ -33,8 +29,9 @@ float surface_footprint2(uvec3 corner, Hit hit, vec2 uv1, vec2 uv2, vec2 uv, vec
         n.xy * inv_volume, texels);
 }
 
-Surface find_surface(ivec2 sample_at, Hit hit)
+SurfaceHit find_surface(ivec2 sample_at, Hit hit)
 {
+    SurfaceHit seen;
     Surface surface;
     vec3 eye_d = eye_direction(sample_at);
     Rays rays = frame.rays;
@@ -45,9 +42,9 @@ Surface find_surface(ivec2 sample_at, Hit hit)
 
     // The plane, and the side of it that the eye is on: the same for all samples.
     uvec3 corner = triangle_corners(hit.item);
-    surface.corner = world_position(corner.x);
-    vec3 n = unit(cross(scaled(world_position(corner.y) - surface.corner),
-        scaled(world_position(corner.z) - surface.corner)));
+    seen.corner = world_position(corner.x);
+    vec3 n = unit(cross(scaled(world_position(corner.y) - seen.corner),
+        scaled(world_position(corner.z) - seen.corner)));
     surface.geometric = dot(n, d) > 0.0 ? -n : n;
 
     vec3 n0 = world_normal(corner.x);
@@ -58,9 +55,9 @@ Surface find_surface(ivec2 sample_at, Hit hit)
     if (dot(n0 + n1 + n2, surface.geometric) < 0.0) normal = -normal;
     surface.normal = visible_normal(normal, surface.geometric, surface.to_eye);
 
-    surface.material = triangle_material(hit.item);
+    seen.material = triangle_material(hit.item);
     surface.uv = vec2(0.0);
-    surface.footprint2 = 0.0;
+    seen.footprint2 = 0.0;
 #if FIRSTHIT_TEXTURES
     {
         vec2 uv0 = vertex_uv(corner.x);
@@ -68,11 +65,12 @@ Surface find_surface(ivec2 sample_at, Hit hit)
         vec2 uv2 = vertex_uv(corner.z) - uv0;
         vec2 uv = uv1 * hit.u + uv2 * hit.v;
         surface.uv = uv0 + uv;
-        int texture_id = material_texture(surface.material);
+        int texture_id = material_texture(seen.material);
         if (texture_id >= 0)
-            surface.footprint2 =
+            seen.footprint2 =
                 surface_footprint2(corner, hit, uv1, uv2, uv, texture_size(texture_id));
     }
 #endif
-    return surface;
+    seen.surface = surface;
+    return seen;
 }

@@ -1,17 +1,18 @@
-// phong_block-inl.h - lights the samples of one material in a block.
-#if defined(FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
-#undef FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
+// shade_block-inl.h - lights the samples of one material in a block.
+#if defined(FIRSTHIT_SHADE_SHADE_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_SHADE_SHADE_BLOCK_INL_H_
+#undef FIRSTHIT_SHADE_SHADE_BLOCK_INL_H_
 #else
-#define FIRSTHIT_SHADE_PHONG_BLOCK_INL_H_
+#define FIRSTHIT_SHADE_SHADE_BLOCK_INL_H_
 #endif
 
-#include "base/wide_real-inl.h"
 #include "hits/spot_cone.h"
+#include "material/models-inl.h"
 #include "shade/sample_texture-inl.h"
-#include "shade/phong_exponent.h"
 #include "shade/shade_light.h"
 #include "shade/shade_tile.h"
+
+#include <variant>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -30,68 +31,50 @@ struct TileShade {
 namespace wide {
 
 #include "glsl/hit_position.glsl"
-#include "glsl/power.glsl"
-#include "glsl/phong.glsl"
 #include "glsl/spot_cone.glsl"
-
-FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
-{
-    return real3(v.x, v.y, v.z);
-}
 
 FIRSTHIT_PURE real3 select3(truth choose_a, real3 a, real3 b)
 {
     return real3(mix(b.x, a.x, choose_a), mix(b.y, a.y, choose_a), mix(b.z, a.z, choose_a));
 }
 
-/// The samples of two registers.
-struct ShadedPoints {
+/// Where the samples of two registers are.
+struct SampleLanes {
     std::size_t at;     // of the first sample, in the tile
     std::uint64_t bits; // lanes that are asked for
-    real3 position;
-    real3 normal;
-    real3 to_eye;
 };
 
-/// Ambient light and that of all lights.
-HWY_INLINE real3 phong(
-    const TileShade& tile, const Material& material, const ShadedPoints& points, real3 texture)
+/// The light that the samples send to the eye.
+template <class Inputs>
+HWY_INLINE real3 light_of(
+    const TileShade& tile, const SampleLanes& lanes, const Inputs& inputs, const Surface& surface)
 {
-    const Scene& scene = *tile.world.scene;
-    const real3 diffuse = from_glm(material.diffuse) * texture;
-    const real3 specular = from_glm(material.specular);
-    const bool glossy = material.specular != glm::vec3(0);
-    const PhongExponent exponent = phong_exponent(material.shininess);
     const auto in_no_lane = [&](real share) {
-        return (bits_of_truth(share > real(0.0f)) & points.bits) == 0;
+        return (bits_of_truth(share > real(0.0f)) & lanes.bits) == 0;
     };
 
-    real3 color = from_glm(material.ambient * scene.ambient) * texture;
+    real3 color = emitted(inputs, tile.world.scene->ambient);
     for (std::size_t l = 0; l < tile.lights.size(); ++l) {
         ShadeLight spare;
         const ShadeLight& light = tile.lights.at(l, spare);
 
         // How much of it arrives, and from where.
         const float* lit = tile.lit.of_light(l);
-        real share = lit ? load(lit + points.at) : real(1.0f);
+        real share = lit ? load(lit + lanes.at) : real(1.0f);
         if (lit && in_no_lane(share)) continue;
-        real3 to_light = from_glm(light.to_light);
+        real3 to_light = all_lanes(light.to_light);
         if (light.kind == Light::Kind::point) {
-            to_light = unit(from_glm(light.position) - points.position);
+            to_light = unit(all_lanes(light.position) - surface.position);
         } else if (light.kind == Light::Kind::spot) {
-            const real3 d = points.position - from_glm(light.position);
+            const real3 d = surface.position - all_lanes(light.position);
             const SpotCone& cone = light.cone;
-            share = share * cone_share(versine(from_glm(cone.axis), d), cone.outer, cone.inv_width);
+            share =
+                share * cone_share(versine(all_lanes(cone.axis), d), cone.outer, cone.inv_width);
             if (in_no_lane(share)) continue;
             to_light = unit(real3(0.0f, 0.0f, 0.0f) - d);
         }
 
-        const real cosine = n_dot_l(points.normal, to_light);
-        const real specular_weight = !glossy ? real(0.0f)
-                                             : highlight(points.normal, points.to_eye, to_light,
-                                                   cosine, exponent.whole, exponent.value);
-        const real3 added =
-            reflected(from_glm(light.color), diffuse, cosine, specular, specular_weight);
+        const real3 added = reflected(inputs, surface, to_light, all_lanes(light.color));
         if (lit || light.kind == Light::Kind::spot)
             // Lanes without light stay as they are where other lanes have some.
             color = select3(share > real(0.0f), color + added * share, color);
@@ -136,20 +119,22 @@ struct ShadeGroup {
     bool planes;           // all targets are written, and the surface is complete
 };
 
-/// Writes all targets for the group's samples.
-HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, BlockSurface& surface)
+/// Writes all targets for the group's samples, whose material is a `model`.
+template <class Model>
+HWY_INLINE void shade_samples(
+    const TileShade& tile, const ShadeGroup& group, const Model& model, BlockSurface& of_block)
 {
-    using wide::both, wide::load, wide::real, wide::real3;
+    using wide::both, wide::load, wide::real, wide::real2, wide::real3;
     const ShadeTargets& targets = tile.targets;
     const Scene& scene = *tile.world.scene;
-    const Material& material = scene.materials[group.material];
     const bool with_texture = tile.arrays.uv && (targets.color[0] || targets.albedo[0]);
-    const Texture* texture = with_texture ? texture_of(scene, material) : nullptr;
+    const Texture* texture =
+        with_texture ? texture_of(scene, scene.materials[group.material]) : nullptr;
     const BlockRays rays = block_rays(tile.hits, group.block);
     const real3 right = both(rays.right), down = both(rays.down), forward = both(rays.forward);
     bool has_geometric = group.planes;
     alignas(64) float texture_light[3][kBlockSamples];
-    if (texture) sample_texture(*texture, surface, group.samples, texture_light);
+    if (texture) sample_texture(*texture, of_block, group.samples, texture_light);
 
     for (int first = 0; first < kBlockSamples; first += wide::kLanes) {
         const std::uint64_t bits = wide::lane_bits(group.samples, first);
@@ -174,43 +159,57 @@ HWY_INLINE void shade_samples(const TileShade& tile, const ShadeGroup& group, Bl
         if (texture)
             texture_color = real3(load(texture_light[0] + first), load(texture_light[1] + first),
                 load(texture_light[2] + first));
-        const std::uint64_t reached = bits & wide::lane_bits(group.reached, first);
+        const auto inputs = inputs_of(model, texture_color);
+        const std::uint64_t reached =
+            kReflects<Model> ? bits & wide::lane_bits(group.reached, first) : 0;
         if (!group.planes && reached == 0) {
-            write(wide::from_glm(material.ambient * scene.ambient) * texture_color, targets.color);
+            write(emitted(inputs, scene.ambient), targets.color);
             continue;
         }
 
+        wide::Surface surface;
         const real3 direction = wide::ray_direction(real(rays.x0) + load(rays.samples->x + first),
             real(rays.y0) + load(rays.samples->y + first), real(rays.step_x), real(rays.step_y),
             right, down, forward);
-        const real3 position =
-            wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
-        const real3 to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
-        const real3 interpolated(load(surface.normal[0] + first), load(surface.normal[1] + first),
-            load(surface.normal[2] + first));
+        surface.position = wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
+        surface.to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
+        const real3 interpolated(load(of_block.normal[0] + first), load(of_block.normal[1] + first),
+            load(of_block.normal[2] + first));
         if (!has_geometric &&
-            (reached & ~bits_of_truth(has_direction(bend_to_eye(interpolated, to_eye))))) {
-            find_geometric(tile, group.runs, surface);
+            (reached & ~bits_of_truth(has_direction(bend_to_eye(interpolated, surface.to_eye))))) {
+            find_geometric(tile, group.runs, of_block);
             has_geometric = true;
         }
-        const real3 geometric(load(surface.geometric[0] + first),
-            load(surface.geometric[1] + first), load(surface.geometric[2] + first));
-        const real3 normal = visible_normal(interpolated, geometric, to_eye);
+        surface.geometric = real3(load(of_block.geometric[0] + first),
+            load(of_block.geometric[1] + first), load(of_block.geometric[2] + first));
+        surface.normal = visible_normal(interpolated, surface.geometric, surface.to_eye);
+        surface.uv = real2(load(of_block.uv[0] + first), load(of_block.uv[1] + first));
 
         if (group.planes) {
-            write(position, targets.position);
-            write(geometric, targets.geometric_normal);
-            write(normal, targets.normal);
-            write(wide::from_glm(material.diffuse) * texture_color, targets.albedo);
+            write(surface.position, targets.position);
+            write(surface.geometric, targets.geometric_normal);
+            write(surface.normal, targets.normal);
+            write(albedo(inputs), targets.albedo);
             if (targets.uv[0]) {
-                write_one(load(surface.uv[0] + first), targets.uv[0]);
-                write_one(load(surface.uv[1] + first), targets.uv[1]);
+                write_one(surface.uv.x, targets.uv[0]);
+                write_one(surface.uv.y, targets.uv[1]);
             }
         }
-        if (targets.color[0])
-            write(phong(tile, material, {at, bits, position, normal, to_eye}, texture_color),
-                targets.color);
+        if constexpr (kReflects<Model>) {
+            if (targets.color[0])
+                write(wide::light_of(tile, {at, bits}, inputs, surface), targets.color);
+        } else {
+            write(emitted(inputs, scene.ambient), targets.color);
+        }
     }
+}
+
+/// The same, for whatever model the material is.
+HWY_INLINE void shade_samples(
+    const TileShade& tile, const ShadeGroup& group, BlockSurface& of_block)
+{
+    std::visit([&](const auto& model) { shade_samples(tile, group, model, of_block); },
+        tile.world.scene->materials[group.material].model);
 }
 
 } // namespace HWY_NAMESPACE

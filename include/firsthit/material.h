@@ -1,0 +1,40 @@
+// material.h - what a surface is made of.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace firsthit {
+
+/// Phong's model. Colours are linear Rec.709 and may exceed 1.
+///
+/// source  Phong 1975, "Illumination for Computer Generated Pictures"
+struct Phong {
+    glm::vec3 ambient{0.1f};
+    glm::vec3 diffuse{0.8f};
+    glm::vec3 specular{0.0f};
+    float shininess = 1.0f;     // Phong's exponent; below 0 counts as 0
+    float transmittance = 0.0f; // 0 opaque to 1 clear; not drawn yet
+    float ior = 1.0f;           // not drawn yet
+    std::int32_t texture = -1;  // multiplies diffuse and ambient; -1 none
+};
+
+/// What a surface's alpha does. There are only opaque surfaces yet.
+enum class AlphaMode {
+    opaque, // nothing: hits and shadows do not know it
+};
+
+/// A material: one of several shading models, and what all of them have.
+struct Material {
+    using Model = std::variant<Phong>; // in the order of src/material/models.h
+
+    std::string name;
+    AlphaMode alpha = AlphaMode::opaque;
+    bool double_sided = true; // nothing is culled: check_scene refuses false
+    Model model;
+};
+
+} // namespace firsthit
