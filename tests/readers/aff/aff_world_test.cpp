@@ -101,7 +101,8 @@ TEST(AffWorld, ReadsFullMaterials)
     EXPECT_EQ(m.diffuse, glm::vec3(0.4f, 0.5f, 0.6f));
     EXPECT_EQ(m.specular, glm::vec3(0.7f, 0.8f, 0.9f));
     EXPECT_EQ(m.shininess, 10);
-    EXPECT_EQ(m.name, "main.aff:1");
+    EXPECT_EQ(scene_of("fm .1 .2 .3 .4 .5 .6 .7 .8 .9 10 .5 1.3\n" + kTriangle).materials[0].name,
+        "main.aff:1");
 }
 
 TEST(AffWorld, KeepsEqualMaterialsOnce)

@@ -4,6 +4,7 @@
 
 #include "message_of.h"
 #include "readers/mesh/mesh_text.h"
+#include "scene/model/default_material.h"
 #include "temporary_folder.h"
 
 namespace firsthit::test {
