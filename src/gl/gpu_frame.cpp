@@ -78,7 +78,7 @@ FrameData frame_data(
         .triangles = std::uint32_t(world.scene->index.size()),
         .interleave = settings.interleave,
         .interleave_shift = Lattice(settings.interleave).shift(),
-        .filter = settings.shadow_filter};
+        .filter_size = settings.shadow_filter};
     return data;
 }
 

@@ -210,7 +210,7 @@ void SamplePasses::shade(const PassInput& input)
     target_.attach(GL_COLOR_ATTACHMENT0, colors_.name());
     if (input.masked) {
         const glm::vec3& b = frame_data_.background;
-        const float background[4] = {b.x, b.y, b.z, 0.5f}; // kBackgroundAlpha of frame.glsl
+        const float background[4] = {b.x, b.y, b.z, kBackgroundAlpha};
         glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, background);
     }
     const Masked mask(mask_, target_, input.masked);

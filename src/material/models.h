@@ -31,6 +31,9 @@
         FIELD(Phong, ambient) FIELD(Phong, diffuse) FIELD(Phong, specular)                         \
             FIELD(Phong, shininess))
 
+/// Before a parameter that a model has no use for; nothing in GLSL.
+#define FIRSTHIT_UNUSED [[maybe_unused]]
+
 namespace firsthit {
 
 /// A parameter of a model.

@@ -22,7 +22,7 @@ std::string text_of(const std::string& file)
 std::string shader()
 {
     return "#version 450\n"
-           "#define FIRSTHIT_PURE\n"
+           "#define FIRSTHIT_PURE\n#define FIRSTHIT_UNUSED\n"
            "#define real float\n#define real2 vec2\n#define real3 vec3\n"
            "#define integer int\n#define truth bool\n"
            "#define all_lanes(v) (v)\n"

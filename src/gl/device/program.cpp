@@ -14,19 +14,27 @@
 namespace firsthit::gl {
 namespace {
 
-/// src/glsl and the texts of src/material are C++ too: these are its words in GLSL.
-constexpr std::string_view kWords = "#version 450 core\n"
-                                    "#define FIRSTHIT_PURE\n"
-                                    "#define FIRSTHIT_PRECISE precise\n"
-                                    "#define real float\n"
-                                    "#define real2 vec2\n"
-                                    "#define real3 vec3\n"
-                                    "#define integer int\n"
-                                    "#define truth bool\n"
-                                    "#define all_lanes(v) (v)\n"
-                                    "#define shift_left_23(a) ((a) << 23)\n"
-                                    "#define shift_right_15(a) ((a) >> 15)\n"
-                                    "#define shift_right_23(a) ((a) >> 23)\n";
+/// src/glsl, the texts of src/material and gl/layouts.glsl are C++ too: these are its words in GLSL.
+constexpr std::string_view kWords =
+    "#version 450 core\n"
+    "#define FIRSTHIT_PURE\n"
+    "#define FIRSTHIT_UNUSED\n"
+    "#define FIRSTHIT_PRECISE precise\n"
+    "#define real float\n"
+    "#define real2 vec2\n"
+    "#define real3 vec3\n"
+    "#define integer int\n"
+    "#define truth bool\n"
+    "#define all_lanes(v) (v)\n"
+    "#define shift_left_23(a) ((a) << 23)\n"
+    "#define shift_right_15(a) ((a) >> 15)\n"
+    "#define shift_right_23(a) ((a) >> 23)\n"
+    // gl/layouts.glsl
+    "#define FIRSTHIT_CONSTANT(type, name, value) const type name = value;\n"
+    "#define FIRSTHIT_STRUCT(name) struct name {\n"
+    "#define FIRSTHIT_FIELD(type, name, value) type name;\n"
+    "#define FIRSTHIT_NESTED(type, name) type name;\n"
+    "#define FIRSTHIT_END(name) };\n";
 
 std::string_view file_of(std::string_view name)
 {

@@ -9,6 +9,8 @@
 namespace firsthit::gl {
 namespace {
 
+static_assert(kFaces == firsthit::kFaces);
+
 constexpr float kRounding = 0x1p-20f; // as shadow/sample_shadow_map.cpp
 
 /// Half as much again as a plane needs: neighbours of a triangle are not in its plane.

@@ -1,37 +1,5 @@
-// lights.glsl - the lights and their shadow maps. The layouts are those of gl/scene/gpu_data.h.
-
-const int kPointLight = 0;
-const int kSpotLight = 1;
-const int kDirectionalLight = 2;
-const int kFaces = 6; // of a light; see shadow/map/light_frame.h
-
-struct LightData {
-    Rays to_frame; // in the light's axes; steps are 1, as those of maps
-    vec3 color;
-    int kind;
-    vec3 position; // world space
-    float tan2_cone; // square of a spot's tangent where its maps end; 0: no cone
-    vec3 to_light; // directional: unit
-    int only_face; // the face of all hits; -1: each hit has its own
-    vec3 axis; // spot: unit, the way the light goes
-    float outer; // spot: see spot_cone.glsl
-    vec3 frame_x; // rows of frame_from_world
-    float inv_width;
-    vec3 frame_y;
-    int cube; // six faces
-    vec3 frame_z;
-    int unused;
-};
-
-struct MapData {
-    Rays to_map; // in (texel x, texel y, depth), the first two times the depth
-    uint first; // of its texels in map_depth
-    int width; // 0: no map
-    int height;
-    float reach; // of slope_bias
-    float rounding; // added to it
-    int unused0, unused1, unused2;
-};
+// lights.glsl - the lights and their shadow maps.
+#include "gl/layouts.glsl"
 
 // FIRSTHIT_FEW_LIGHTS: they fit into uniform blocks, which are faster.
 #if FIRSTHIT_FEW_LIGHTS
