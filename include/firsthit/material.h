@@ -22,6 +22,13 @@ struct Phong {
     std::int32_t texture = -1;  // multiplies diffuse and ambient; -1 none
 };
 
+/// A surface that shows its colour, whatever lights and shadows are. Its albedo is that colour. No
+/// file that is read today asks for it.
+struct Unlit {
+    glm::vec3 color{1.0f};     // linear Rec.709, may exceed 1
+    std::int32_t texture = -1; // multiplies color; -1 none
+};
+
 /// What a surface's alpha does. There are only opaque surfaces yet.
 enum class AlphaMode {
     opaque, // nothing: hits and shadows do not know it
@@ -29,7 +36,7 @@ enum class AlphaMode {
 
 /// A material: one of several shading models, and what all of them have.
 struct Material {
-    using Model = std::variant<Phong>; // in the order of src/material/models.h
+    using Model = std::variant<Phong, Unlit>; // in the order of src/material/models.h
 
     std::string name;
     AlphaMode alpha = AlphaMode::opaque;

@@ -29,7 +29,8 @@
 #define FIRSTHIT_MODELS(MODEL, FIELD)                                                              \
     MODEL(Phong, phong, true,                                                                      \
         FIELD(Phong, ambient) FIELD(Phong, diffuse) FIELD(Phong, specular)                         \
-            FIELD(Phong, shininess))
+            FIELD(Phong, shininess))                                                               \
+    MODEL(Unlit, unlit, false, FIELD(Unlit, color))
 
 /// Before a parameter that a model has no use for; nothing in GLSL.
 #define FIRSTHIT_UNUSED [[maybe_unused]]

@@ -2,3 +2,4 @@
 #include "material/surface.glsl"
 
 #include "material/phong.glsl"
+#include "material/unlit.glsl"

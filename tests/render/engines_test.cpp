@@ -153,6 +153,37 @@ TEST_F(Engines, GpuItemsAreExactWhereAsked)
     EXPECT_EQ(render(settings).item, expected.item);
 }
 
+TEST_F(Engines, ShowUnlitSurfacesAsTheyAre)
+{
+    const glm::vec3 color(0.25f, 0.5f, 1.5f);
+    scene_ = scene_from_arrays({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    scene_.materials[0].model = Unlit{.color = color};
+    scene_.lights.resize(1);
+    scene_.lights[0].position = {0, 0, -5}; // behind
+    pose(scene_, 0, world_);
+    view_.width = view_.height = 64;
+    view_.camera = framing_camera(world_);
+    for (const Engine engine : {Engine::cpu, Engine::hybrid, Engine::gpu})
+        for (const Shadows shadows : {Shadows::none, Shadows::map, Shadows::exact}) {
+            if (engine == Engine::gpu && shadows == Shadows::exact) continue;
+            Settings settings;
+            settings.engine = engine;
+            settings.shadows = shadows;
+            settings.multisample = Multisample::exact;
+            settings.aovs = {Aov::item};
+            const Film film = render(settings);
+            std::size_t seen = 0;
+            for (std::size_t pixel = 0; pixel < film.item.size(); ++pixel) {
+                const float* const found = &film.color.value[3 * pixel];
+                if (film.item[pixel] == kNoItem) continue;
+                ++seen;
+                ASSERT_EQ(glm::vec3(found[0], found[1], found[2]), color)
+                    << "engine " << int(engine) << ", shadows " << int(shadows);
+            }
+            EXPECT_GT(seen, 100u);
+        }
+}
+
 TEST_F(Engines, AreSaidAndWhy)
 {
     Settings settings;

@@ -68,6 +68,9 @@ void fill_with_soup(TileScene& tile, std::mt19937& random)
             if (k % 3) material.specular = glm::abs(random_point(random, 1));
             material.shininess = shininess[random() % 7];
             material.texture = static_cast<std::int32_t>(random() % 3) - 1;
+            if (k % 20 == 8)
+                tile.scene.materials.back().model =
+                    Unlit{.color = material.diffuse, .texture = material.texture};
         }
         const glm::vec3 middle = random_point(random, 6) - glm::vec3(0, 0, 12);
         const auto uv = [&] { return glm::vec2(random_point(random, 3)); };

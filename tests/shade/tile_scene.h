@@ -51,12 +51,13 @@ struct TileScene {
     Phong& material() { return std::get<Phong>(scene.materials[0].model); }
 
     /// A new material in a part of its own, for triangles added after this.
-    Phong& add_material()
+    template <class Model = Phong>
+    Model& add_material()
     {
         scene.materials.emplace_back();
         scene.parts.emplace_back();
         scene.parts.back().material = static_cast<std::uint32_t>(scene.materials.size() - 1);
-        return std::get<Phong>(scene.materials.back().model);
+        return scene.materials.back().model.emplace<Model>();
     }
 
     /// A triangle of the newest part; normals are those of its plane unless given later.

@@ -136,6 +136,11 @@ bool all_finite(const Phong& phong)
            std::isfinite(phong.ior);
 }
 
+bool all_finite(const Unlit& unlit)
+{
+    return all_finite(unlit.color);
+}
+
 void check_materials(const Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
