@@ -122,10 +122,11 @@ HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays, int bloc
 {
     const Doubles d;
     const Floats f;
-    const auto x = hn::Add(
-        hn::Set(d, double(rays.x0)), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.x + first)));
-    const auto y = hn::Add(
-        hn::Set(d, double(rays.y0)), hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.y + first)));
+    // Exact in float, as all directions are.
+    const auto along = [&](float start, const float* offsets) {
+        return hn::PromoteTo(d, hn::Add(hn::Set(f, start), hn::Load(f, offsets + first)));
+    };
+    const auto x = along(rays.x0, kBlockSamplesXY.x), y = along(rays.y0, kBlockSamplesXY.y);
     const auto at_sample = [&](const Vector3<DoubleLanes>& n) {
         return hn::Add(hn::Add(hn::Mul(n.x, x), hn::Mul(n.y, y)), n.z);
     };

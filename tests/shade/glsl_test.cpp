@@ -36,8 +36,8 @@ std::string shader()
 layout(location = 0) out vec4 color;
 void main()
 {
-    vec3 d = ray_direction(gl_FragCoord.x, gl_FragCoord.y, 0.01, vec3(1, 0, 0), vec3(0, -1, 0),
-        vec3(0, 0, -1));
+    vec3 d = ray_direction(gl_FragCoord.x, gl_FragCoord.y, 0.01, 0.02, vec3(1, 0, 0),
+        vec3(0, -1, 0), vec3(0, 0, -1));
     vec3 p = hit_position(vec3(0), d, 3.0);
     Surface surface;
     surface.position = p;
