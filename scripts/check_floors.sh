@@ -22,8 +22,9 @@ list_files | xargs -0 -r awk '
 BEGIN {
     split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 frame:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 material:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
     for (k in pairs) { split(pairs[k], pair, ":"); floor_of[pair[1]] = pair[2] + 0 }
-    split("error file film frame_control normals npy scene stats texture view", names, " ")
+    split("error file film frame_control material normals npy scene stats texture view", names, " ")
     for (k in names) is_data["firsthit/" names[k] ".h"] = 1
+    text_room["models.glsl"] = "material" # made when the program runs, from src/material/models.h
     for (k = 1; k < ARGC; ++k) {
         if (!is_shader(ARGV[k])) continue
         n = split(ARGV[k], path, "/")
@@ -61,6 +62,8 @@ FNR == 1 {
     sub(/\/.*/, "", target)
     if (name ~ /(^|\/)\.\.(\/|$)/ || name ~ /^\//) { complain("no path leads upwards or from the root"); next }
     if (is_shader(FILENAME)) {
+        # A text is found by its file name, also where it is included with its folder, as C++ needs it.
+        sub(/.*\//, "", name)
         if (!(name in text_room)) complain("no shader text has this name")
         else if (!(text_room[name] in floor_of)) complain("this text is not in src/")
         else check_floor(text_room[name])
