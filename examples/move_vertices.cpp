@@ -22,9 +22,8 @@ int main()
         index.emplace_back(v, v + kCells + 2, v + kCells + 1);
     }
     const std::vector<glm::vec3> normal(position.size(), glm::vec3(0, 0, 1));
-    const firsthit::Scene scene = firsthit::scene_from_arrays(position, index, normal);
     firsthit::World world;
-    firsthit::pose(scene, 0, world);
+    firsthit::pose(firsthit::scene_from_arrays(position, index, normal), 0, world);
 
     firsthit::View view;
     view.camera = {.eye = {0, -2, 2}, .direction = {0, 2, -2}, .up = {0, 0, 1}};

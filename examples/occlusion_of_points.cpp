@@ -17,9 +17,8 @@ int main()
         index.emplace_back(f.x, f.y, f.z);
         index.emplace_back(f.x, f.z, f.w);
     }
-    const firsthit::Scene scene = firsthit::scene_from_arrays(position, index);
     firsthit::World world;
-    firsthit::pose(scene, 0, world);
+    firsthit::pose(firsthit::scene_from_arrays(position, index), 0, world);
 
     // A point for each half metre of the facade, 40 m x 10 m, row by row from below.
     constexpr std::size_t kColumns = 80;

@@ -26,9 +26,8 @@ void copy(const std::vector<T>& plane, const firsthit::Film& film, const Array<T
 int main()
 {
     constexpr int kWidth = 320, kHeight = 200;
-    const firsthit::Scene scene = firsthit::load_scene("builtin:robots");
     firsthit::World world;
-    firsthit::pose(scene, 2.5, world);
+    firsthit::pose(firsthit::load_scene("builtin:robots"), 2.5, world);
     firsthit::View view{.camera = world.camera, .width = kWidth, .height = kHeight, .region = {}};
     firsthit::Settings settings;
     settings.aovs = {firsthit::Aov::item, firsthit::Aov::depth};

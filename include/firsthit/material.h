@@ -13,9 +13,9 @@ namespace firsthit {
 ///
 /// source  Phong 1975, "Illumination for Computer Generated Pictures"
 struct Phong {
-    glm::vec3 ambient{0.1f};
-    glm::vec3 diffuse{0.8f};
-    glm::vec3 specular{0.0f};
+    glm::vec3 ambient{0.1f};    // times Scene::ambient
+    glm::vec3 diffuse{0.8f};    // share of light that is scattered
+    glm::vec3 specular{0.0f};   // of highlights
     float shininess = 1.0f;     // Phong's exponent; below 0 counts as 0
     float transmittance = 0.0f; // 0 opaque to 1 clear; not drawn yet
     float ior = 1.0f;           // not drawn yet
@@ -38,10 +38,10 @@ enum class AlphaMode {
 struct Material {
     using Model = std::variant<Phong, Unlit>; // in the order of src/material/models.h
 
-    std::string name;
-    AlphaMode alpha = AlphaMode::opaque;
-    bool double_sided = true; // nothing is culled: check_scene refuses false
-    Model model;
+    std::string name;                    // as the file has it
+    AlphaMode alpha = AlphaMode::opaque; // what its alpha does
+    bool double_sided = true;            // nothing is culled: check_scene refuses false
+    Model model;                         // how it reflects light
 };
 
 } // namespace firsthit

@@ -76,7 +76,7 @@ sample 0 src/glsl/a.glsl '#include "power.glsl"'
 sample 1 src/glsl/a.glsl '#include "frame.glsl"'
 for ending in vert frag geom comp; do sample 1 "src/glsl/a.$ending" '#include "frame.glsl"'; done
 sample 1 src/gl/shaders/a.vert '#include "missing.glsl"'
-sample 1 src/gl/shaders/a.vert '#include "glsl/power.glsl"'
+sample 1 src/gl/shaders/a.vert '#include "glsl/nothing.glsl"'
 sample 1 src/gl/shaders/a.vert '#include "../../glsl/power.glsl"'
 texts="src/glsl/power.glsl src/gl/shaders/items/a.frag"
 sample 1 src/gl/shaders/a.frag 'void main() {}' src/gl/shaders/items/a.frag

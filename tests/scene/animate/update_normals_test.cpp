@@ -1,4 +1,5 @@
 // update_normals_test.cpp - normals of positions that were moved by hand.
+#include "scene/model/borrow.h"
 #include "message_of.h"
 #include "scene/model/smooth_normals.h"
 
@@ -63,7 +64,7 @@ TEST(UpdateNormals, AreThoseOfThePapersFormula)
 {
     const Scene scene = grid(12);
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     for (const unsigned seed : {1u, 2u, 3u}) {
         shake(world, seed);
         update_normals(world);
@@ -78,7 +79,7 @@ TEST(UpdateNormals, AreRightOnASphere)
     // Max's weights are exact there, however uneven the triangles are.
     Scene scene = grid(16);
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     for (glm::vec3& p : world.position) {
         const double around = p.x * p.x * 2.0;
         const double up = p.y * 1.2;
@@ -98,7 +99,7 @@ TEST(UpdateNormals, AreThoseThatLoadingMakesToTheBit)
 {
     const Scene scene = grid(12);
     World shaken;
-    pose(scene, 0, shaken);
+    pose(borrow(scene), 0, shaken);
     shake(shaken, 5);
     update_normals(shaken);
     EXPECT_EQ(shaken.normal, smooth_normals(shaken.position, scene.index, std::numbers::pi).normal);
@@ -107,7 +108,7 @@ TEST(UpdateNormals, AreThoseThatLoadingMakesToTheBit)
     const std::vector<glm::vec3> corner{{0, 0, 0}, {1, 0, 0.3f}, {0, 1, 0.2f}, {0.1f, 0.2f, 1}};
     const Scene flat = scene_from_arrays(corner, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     World world;
-    pose(flat, 0, world);
+    pose(borrow(flat), 0, world);
     update_normals(world);
     EXPECT_EQ(world.normal, flat.normal);
 }
@@ -116,7 +117,7 @@ TEST(UpdateNormals, DoNotDependOnThreads)
 {
     const Scene scene = grid(40);
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     shake(world, 7);
     update_normals(world, 1);
     const std::vector<glm::vec3> one = world.normal;
@@ -132,7 +133,7 @@ TEST(UpdateNormals, LeaveOutTrianglesWithoutAreaAndCornersThatAreNotFinite)
     const Scene scene = scene_from_arrays({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {-1, 0, 0}},
         {{0, 1, 2}, {0, 1, 1}, {0, 2, 4}, {3, 3, 3}}, std::vector<glm::vec3>(5, {1, 0, 0}));
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     world.position[4].y = std::numeric_limits<float>::quiet_NaN();
     update_normals(world);
     for (const glm::vec3& n : world.normal) EXPECT_EQ(n, glm::vec3(0, 0, 1));
@@ -144,11 +145,11 @@ TEST(UpdateNormals, RefuseWorldsThatTheyDoNotFit)
     EXPECT_EQ(message_of<ArgumentError>([&] { update_normals(world); }),
         "normals are of a world that was posed before");
     Scene scene = grid(1);
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     world.position.pop_back();
     EXPECT_EQ(message_of<ArgumentError>([&] { update_normals(world); }),
         "a world with 3 positions, its scene has 4 vertices");
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     scene.index[1].y = 4;
     EXPECT_EQ(message_of<SceneError>([&] { update_normals(world, 2); }),
         "arrays: triangle 1: vertex 4 is out of range (4 exist)");
