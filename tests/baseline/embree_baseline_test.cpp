@@ -158,7 +158,7 @@ TEST_F(EmbreeBaselineTest, MakesTheCpuEnginesPicturesOfACalibratedCamera)
 {
     const Scene scene = load_scene("builtin:robots");
     for (const int packet : {8, 16}) {
-        EmbreeBaseline baseline(scene, BaselineUpdate::refit_parts, 1, packet);
+        EmbreeBaseline baseline(borrow(scene), BaselineUpdate::refit_parts, 1, packet);
         View view = view_of(scene, baseline.pose(2.5), 120, 100);
         view.camera.focal = glm::dvec2(150.3, 97.1);
         view.camera.principal_point = glm::dvec2(50.37, 61.9);

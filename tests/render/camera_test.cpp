@@ -1,4 +1,5 @@
 // camera_test.cpp - pictures of calibrated cameras: focal lengths, principal point and skew.
+#include "scene/model/borrow.h"
 #include "scenes.h"
 
 #include <firsthit/compare.h>
@@ -38,7 +39,7 @@ struct Picture {
 
     Picture()
     {
-        pose(scene, 2.5, world);
+        pose(borrow(scene), 2.5, world);
         view.camera = world.camera;
         view.width = 96, view.height = 64;
         for (int k = 0; k < kAovCount; ++k) settings.aovs.push_back(Aov(k));

@@ -160,7 +160,7 @@ TEST_F(Engines, ShowUnlitSurfacesAsTheyAre)
     scene_.materials[0].model = Unlit{.color = color};
     scene_.lights.resize(1);
     scene_.lights[0].position = {0, 0, -5}; // behind
-    pose(scene_, 0, world_);
+    pose(borrow(scene_), 0, world_);
     view_.width = view_.height = 64;
     view_.camera = framing_camera(world_);
     for (const Engine engine : {Engine::cpu, Engine::hybrid, Engine::gpu})

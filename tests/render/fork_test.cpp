@@ -90,7 +90,7 @@ TEST_F(Fork, TheChildMayDestroyOcclusionAndPeer)
         0);
     std::unique_ptr<EmbreeBaseline> baseline;
     try {
-        baseline = std::make_unique<EmbreeBaseline>(scene, BaselineUpdate::refit, 2);
+        baseline = std::make_unique<EmbreeBaseline>(borrow(scene), BaselineUpdate::refit, 2);
     } catch (const DeviceError& error) {
         GTEST_SKIP() << error.what();
     }

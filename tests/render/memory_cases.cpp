@@ -1,5 +1,6 @@
 // memory_cases.cpp - small worlds and ways to make their pictures, between which frames meet every kind
 // of memory that they use.
+#include "scene/model/borrow.h"
 #include "render/memory_cases.h"
 
 #include "cpu/adversarial_scenes.h"
@@ -21,7 +22,7 @@ MemoryCase show(std::string name, Scene scene, double time_s, int width, int hei
     MemoryCase made{std::move(name), {}};
     made.made.world.scene = std::make_shared<Scene>(std::move(scene));
     World& world = made.made.world.world;
-    pose(*made.made.world.scene, time_s, world);
+    pose(borrow(*made.made.world.scene), time_s, world);
     made.made.view.width = width;
     made.made.view.height = height;
     made.made.view.camera = made.made.world.scene->camera ? world.camera : framing_camera(world);

@@ -124,8 +124,10 @@ TEST(Paper, EveryRowNamesAWayThatThereIs)
 PaperMeasured made_up(const std::string& failure)
 {
     PaperMeasured measured{.scenes = {}, .ways = paper_ways(), .frames = {}};
-    measured.scenes.push_back(
-        {.file = "builtin:torus", .scene = load_scene("builtin:torus"), .note = "", .camera = {}});
+    measured.scenes.push_back({.file = "builtin:torus",
+        .scene = std::make_shared<const Scene>(load_scene("builtin:torus")),
+        .note = "",
+        .camera = {}});
     for (const char* const name : {"bunny.stl", "torus.ply"})
         measured.scenes.push_back({.file = name, .scene = {}, .note = "gone", .camera = {}});
     measured.frames.resize(3);

@@ -38,7 +38,7 @@ TEST(PoseAllocation, NormalsAllocateOnlyTheFirstTime)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
-    pose(scene, 0, world);
+    pose(borrow(scene), 0, world);
     update_normals(world);
     const std::size_t before = allocations();
     for (int frame = 0; frame < 3; ++frame) {
