@@ -18,7 +18,7 @@ if [ $# -gt 0 ]; then
     files=("$@")
 else
     mapfile -t files < <(
-        find src/io src/film src/scene/model src/cpu src/render apps examples -name '*.cpp' |
+        find src/io src/film src/frame src/scene/model src/cpu src/render apps/firsthit examples -maxdepth 1 -name '*.cpp' |
             xargs grep -L 'foreach_target\.h' | sort
     )
 fi

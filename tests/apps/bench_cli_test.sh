@@ -106,7 +106,7 @@ with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' 
 expect_files
 
 # Beside Embree.
-expect 0 'Asked and measured' --baseline "${quick[@]}" -o peers
+expect 0 'Asked and measured' --baseline "${quick[@]}" -o baseline
 grep -q "Whole frames, milliseconds: 48x32, 1 thread" stdout || fail "no table of frames is printed"
 with_python 'import json, sys
 for row in json.load(open(sys.argv[1]))["baseline"]["rows"]:
