@@ -1,5 +1,5 @@
 // machine_bench.cpp - what one core of this machine can do at most: bandwidth of caches and memory,
-// arithmetic for each instruction set, random access. The base of the rooflines in docs/performance.md.
+// arithmetic for each instruction set, random access. The base of the rooflines in docs/performance_notes.md.
 //
 //     machine_bench [--rounds N]     N (15) times a few milliseconds each: best and median
 //

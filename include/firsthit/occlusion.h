@@ -28,7 +28,7 @@ namespace firsthit {
 ///            receivers other than that of the points, a receiver that is no triangle, 2^32 - 1
 ///            points or more
 ///
-/// source  as exact shadows: Johnson et al. 2005; Aila and Laine 2004 (ARCHITECTURE.md)
+/// source  as exact shadows: Johnson et al. 2005; Aila and Laine 2004 (docs/sources.md)
 class Occlusion {
   public:
     /// threads  0: one for each core
