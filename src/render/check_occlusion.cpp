@@ -12,6 +12,7 @@ namespace firsthit {
 void check_occlusion(const World& world, std::size_t points, std::span<const Light> lights,
     std::span<const std::uint32_t> receivers)
 {
+    if (!world.scene) throw ArgumentError("the world has no scene: pose it first");
     if (points >= kNoItem)
         throw ArgumentError(fmt::format("{} points are too many: at most {}", points, kNoItem - 1));
     for (std::size_t l = 0; l < lights.size(); ++l)

@@ -22,6 +22,7 @@ struct Renderer::Impl {
     void frame(const World& world, const View& view, const Settings& settings, Film& film,
         const FrameControl& control)
     {
+        if (!world.scene) throw ArgumentError("the world has no scene: pose it first");
         check(settings, world.lights.size());
         check_lights(world);
         const View filled = checked(view);

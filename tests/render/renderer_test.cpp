@@ -49,6 +49,15 @@ Settings everything()
     return settings;
 }
 
+TEST(Renderer, RefusesAWorldThatWasNeverPosed)
+{
+    Film film;
+    EXPECT_THROW(Renderer(1).render(World{}, View{}, Settings{}, film), ArgumentError);
+    std::vector<std::uint8_t> occluded;
+    const std::vector<glm::vec3> point{{0, 0, 0}};
+    EXPECT_THROW(Occlusion(1).test(World{}, point, Light{}, occluded), ArgumentError);
+}
+
 TEST(Renderer, MakesTheSameBitsWithAnyThreadsAndTiles)
 {
     const Picture picture;
