@@ -20,12 +20,12 @@ print_times()
         /"width"/ { width = $2 + 0 }
         /"height"/ { height = $2 + 0 }
         /"time_s"/ { frames++ }
-        /"(pose|setup|raster|resolve|shadow|shade|write|total)_ms"/ { split($1, part, "\""); sum[part[2]] += $2 }
+        /"(pose|setup|raster|resolve|shadow|sky|shade|write|total)_ms"/ { split($1, part, "\""); sum[part[2]] += $2 }
         /"triangles"/ { triangles = $2 + 0 }
         END {
             printf "%-18s %9d %9s %6d %8.1f", name, triangles, width "x" height, frames, load
-            split("pose setup raster resolve shadow shade write total", stage, " ")
-            for (k = 1; k <= 8; k++) printf " %8.2f", sum[stage[k] "_ms"] / frames
+            split("pose setup raster resolve shadow sky shade write total", stage, " ")
+            for (k = 1; k <= 9; k++) printf " %8.2f", sum[stage[k] "_ms"] / frames
             print ""
         }' "$stats"
 }
@@ -42,7 +42,7 @@ picture()
 echo
 echo "milliseconds by stage, mean of the frames; a first frame also pays for its memory"
 printf '%-18s %9s %9s %6s %8s' scene triangles size frames load
-printf ' %8s' pose setup raster resolve shadow shade write total
+printf ' %8s' pose setup raster resolve shadow sky shade write total
 printf '\n'
 picture torus builtin:torus -o out/torus.png
 if [ -f scenes/bunny.stl ]; then
@@ -64,7 +64,7 @@ else
     echo "without the OpenGL engines: $(cat out/opengl.txt)"
 fi
 rm -f out/opengl.png out/opengl.txt
-picture 'robots, 2x2 rays' builtin:robots --time 5 --samples 2 -o out/robots_smooth.png
+picture 'robots, 4x4 rays' builtin:robots --time 5 --samples 4 -o out/robots_smooth.png
 picture wave 'builtin:wave?n=100000' --time 1 -o out/wave.png
 picture animation builtin:robots --size 640x360 --frames 0:2:48 -o out/animation/robots_%04d.png
 

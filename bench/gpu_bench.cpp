@@ -51,7 +51,7 @@ void measure(
     std::uint64_t maps = 0;
     for (int k = -2; k < frames; ++k) {
         pose(borrow(scene), 0.04 * (k + 2), world);
-        if (k == -2) view.camera = scene.camera ? world.camera : framing_camera(world);
+        if (k == -2) view.camera = world.camera;
         Stats stats;
         Stopwatch watch;
         const View filled = checked(view);

@@ -57,7 +57,7 @@ void measure(const std::string& argument, const Options& options)
         ways.emplace_back(Readback::async, chunks, options.threads);
     for (int round = -3; round < options.rounds; ++round) {
         pose(borrow(scene), asked.time_s + 0.02 * (round + 3), world);
-        view.camera = scene.camera ? world.camera : framing_camera(world);
+        view.camera = world.camera;
         for (std::size_t k = 0; k < ways.size(); ++k) {
             // Each round begins with another way.
             Way& way = ways[(k + std::size_t(round + 3)) % ways.size()];

@@ -11,9 +11,10 @@
 #include "hits/resolve_tile.h"
 #include "render/check_settings.h"
 #include "scene/model/borrow.h"
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
 #include "visibility/lazy_items.h"
 #include "visibility/bin/project.h"
+#include "visibility/bin/view_memory.h"
 #include "visibility/raster/raster_tile.h"
 
 #include <firsthit/firsthit.h>
@@ -52,7 +53,8 @@ struct Frame {
     World world;
     Scene scene;
     ViewMemory view;
-    std::unique_ptr<ItemTile> tile = std::make_unique<ItemTile>();
+    TileItems tile;
+    std::unique_ptr<RasterScratch> scratch = std::make_unique<RasterScratch>();
     HitMemory hits;
     std::vector<std::uint32_t> picture = std::vector<std::uint32_t>(kSide * kSide);
     std::vector<std::uint64_t> holes = std::vector<std::uint64_t>(kTile * kTile / kBlockSamples);
@@ -64,19 +66,17 @@ struct Frame {
         pose(borrow(scene), at == std::string::npos ? 0 : std::atof(name.c_str() + at + 1), world);
         View camera;
         camera.width = camera.height = kSide;
-        camera.camera = scene.camera ? world.camera : framing_camera(world);
+        camera.camera = world.camera;
         const View filled = checked(camera);
-        view.pencil = pencil_of(filled, filled.region, 1);
-        view.tile_size = kTile;
-        view.tiles_x = view.tiles_y = kSide / kTile;
-        view.tile_of.resize(kSide);
-        for (std::size_t k = 0; k < kSide; ++k) view.tile_of[k] = std::uint8_t(k / kTile);
-        project_vertices(world.position, view, tasks);
-        bin_triangles(scene.index, view, tasks);
-        resize(*tile, kTile);
+        lay_out(pencil_of(filled, filled.region, 1), kTile, view);
+        view.index = scene.index;
+        project_vertices(world.position, view.pencil, view, tasks);
+        bin_triangles(view, view, view, tasks);
+        resize(*scratch, kTile);
+        resize(tile, kTile);
         resize(hits, kTile, 1);
         for (int number = 0; number < view.tiles(); ++number) {
-            raster_tile(view, number, *tile);
+            raster_tile(view, view.rays(number), bin_of(view, std::size_t(number)), tile, *scratch);
             for (int y = 0; y < kTile; ++y)
                 for (int x = 0; x < kTile; ++x) picture[at_of(number, x, y)] = item(x, y);
         }
@@ -84,12 +84,11 @@ struct Frame {
 
     std::size_t at_of(int number, int x, int y) const
     {
-        return std::size_t(
-            (number / view.tiles_x * kTile + y) * kSide + number % view.tiles_x * kTile + x);
+        return std::size_t((view.first_y(number) + y) * kSide + view.first_x(number) + x);
     }
     std::uint32_t item(int x, int y) const
     {
-        return tile->item[std::size_t(tile_offset(x, y, kTile))];
+        return tile.item[std::size_t(tile_offset(x, y, kTile))];
     }
 
     void corrupt()
@@ -105,7 +104,7 @@ struct Frame {
         std::uint64_t count = 0;
         for (int number = 0; number < view.tiles(); ++number) {
             std::fill(holes.begin(), holes.end(), 0);
-            repair_tile_items(view, picture, number, mode, *tile, holes);
+            repair_tile_items(view, {view, picture, number}, mode, tile, holes);
             for (const std::uint64_t word : holes) count += std::uint64_t(std::popcount(word));
         }
         return count;
@@ -123,10 +122,10 @@ void measure(const std::string& name)
         for (int number = 0; number < frame.view.tiles(); ++number) {
             watch.lap_ms();
             std::fill(frame.holes.begin(), frame.holes.end(), 0);
-            repair_tile_items(
-                frame.view, frame.picture, number, Multisample::exact, *frame.tile, frame.holes);
+            repair_tile_items(frame.view, {frame.view, frame.picture, number}, Multisample::exact,
+                frame.tile, frame.holes);
             copy_ms += watch.lap_ms();
-            resolve_tile(frame.view, *frame.tile, frame.hits.of(0));
+            resolve_tile(frame.view, frame.view.pencil, frame.tile, frame.hits.of(0));
         }
     });
     std::printf("  %-12s %8.2f ms\n", "resolve", resolve_ms - copy_ms);
@@ -145,9 +144,9 @@ void measure(const std::string& name)
         std::vector<ListedSample> samples(count);
         for (ListedSample& s : samples)
             s = {std::uint16_t(random() % kSide), std::uint16_t(random() % kSide)};
-        std::vector<std::uint32_t> items(count);
-        const double ms =
-            median_ms([&] { find_listed_items(frame.view, samples, memory, items, frame.tasks); });
+        const double ms = median_ms([&] {
+            find_listed_items(frame.view.pencil, frame.view, {samples}, memory, frame.tasks);
+        });
         std::printf("  lazy items of %zu samples %8.2f ms\n", count, ms);
     }
 }

@@ -91,12 +91,12 @@ void measure(const std::string& argument, const Options& options)
     World world;
     pose(borrow(scene), asked.time_s, world, tasks);
     View view;
-    view.camera = scene.camera ? world.camera : framing_camera(world);
+    view.camera = world.camera;
     view = checked(view);
 
     ViewMemory eye;
     eye.pencil = pencil_of(view, view.region, 1);
-    project_vertices(world.position, eye, tasks);
+    project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{eye.corner.span().first(world.position.size()), scene.index};
 
     Ours ours;

@@ -61,7 +61,7 @@ struct ShadedPicture {
             material.texture = 0;
         }
         scene.materials.emplace_back().model = material;
-        scene.parts.emplace_back();
+        scene.instances.emplace_back();
         for (int i = 0; i < lights; ++i)
             world.lights.push_back({.position = {i, 50, -10}, .color = glm::vec3(1.0f)});
 

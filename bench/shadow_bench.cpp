@@ -58,7 +58,7 @@ void set_lights(int count, World& world)
 }
 
 struct Times {
-    std::vector<double> collect, see, sort, test, exact, map, embree;
+    std::vector<double> collect, project, sort, test, exact, map, embree;
 };
 
 /// Makes the maps as if everything had moved, and asks them for all hits.
@@ -79,7 +79,7 @@ void run_maps(const World& world, const Settings& settings, std::span<const HitT
 
 /// Hits whose light by the map is not that of the exact pass (of the last light).
 std::size_t count_wrong(
-    std::span<const HitTile> tiles, const LitBits& bits, const Buffer<float>& lit)
+    std::span<const HitTile> tiles, const LightVisibilityBits& bits, const Buffer<float>& lit)
 {
     std::size_t wrong = 0;
     const std::size_t samples = lit.size() / tiles.size();
@@ -105,7 +105,7 @@ void measure(const std::string& argument, const Options& options)
     View view;
     view.width = options.width;
     view.height = options.height;
-    view.camera = scene.camera ? world.camera : framing_camera(world);
+    view.camera = world.camera;
     view = checked(view);
 
     FrameMemory memory;
@@ -151,7 +151,7 @@ void measure(const std::string& argument, const Options& options)
         times.exact.push_back(watch.lap_ms());
         effort = take_effort(memory.lit.exact);
         times.collect.push_back(effort.collect_ms);
-        times.see.push_back(effort.see_ms);
+        times.project.push_back(effort.project_ms);
         times.sort.push_back(effort.sort_ms);
         times.test.push_back(effort.test_ms);
         watch.lap_ms();
@@ -175,7 +175,7 @@ void measure(const std::string& argument, const Options& options)
     std::printf("%-22s %9zu %9zu %7.2f %6.2f %6.2f %7.2f %8.2f %8.2f %8.2f %6.2f %6.2f %7zu "
                 "%7.2f%% %9zu %10zu %7zu\n",
         asked.name.c_str(), scene.triangle_count(), std::size_t(effort.points),
-        median(times.collect), median(times.see), median(times.sort), median(times.test), exact,
+        median(times.collect), median(times.project), median(times.sort), median(times.test), exact,
         map, embree, embree / exact, embree / map, differ, wrong,
         std::size_t(effort.counts.triangles), std::size_t(effort.counts.pairs),
         std::size_t(effort.counts.uncertain));
@@ -216,8 +216,8 @@ int main(int count, char** words)
         options.width, options.height, options.lights, options.threads,
         firsthit::instruction_set().c_str(), options.rounds);
     std::printf("%-22s %9s %9s %7s %6s %6s %7s %8s %8s %8s %6s %6s %7s %8s %9s %10s %7s\n", "scene",
-        "triangles", "points", "collect", "see", "sort", "test", "exact", "map", "Embree", "exact",
-        "map", "differ", "map off", "set up", "pairs", "open");
+        "triangles", "points", "collect", "project", "sort", "test", "exact", "map", "Embree",
+        "exact", "map", "differ", "map off", "set up", "pairs", "open");
     try {
         for (const std::string& scene : options.scenes) firsthit::measure(scene, options);
     } catch (const std::exception& error) {

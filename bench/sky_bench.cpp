@@ -123,7 +123,7 @@ void measure(const std::string& argument, const Options& options)
         sun.direction = sky_direction(std::max(k, 0), options.directions);
         const PencilSpace space = light_space(sun, glm::dvec3(0));
         Stopwatch watch;
-        test_points(world, space, set, memory, tasks, ours);
+        test_points({world, space}, set, memory, tasks, ours);
         const double mine = watch.lap_ms();
         if (k == 0) take_effort(memory); // the first was to warm up
         std::fill(theirs.begin(), theirs.end(), std::uint8_t(0));
@@ -145,7 +145,7 @@ void measure(const std::string& argument, const Options& options)
     std::printf("%-22s %9zu %9zu %5.1f%% %8.2f %8.2f %8.2f %8.2f %9.2f %9.2f %6.2f %7.4f%%\n",
         asked.name.c_str(), scene.triangle_count(), points.size(),
         100.0 * double(shadowed) / (n * double(points.size())), effort.collect_ms / n,
-        effort.see_ms / n, effort.sort_ms / n, effort.test_ms / n, ours_ms / n, theirs_ms / n,
+        effort.project_ms / n, effort.sort_ms / n, effort.test_ms / n, ours_ms / n, theirs_ms / n,
         theirs_ms / ours_ms, 100.0 * double(differ) / (n * double(points.size())));
     std::fflush(stdout);
 }
@@ -173,7 +173,8 @@ int main(int count, char** words)
     std::printf("%d directions, %d thread(s), %s, milliseconds a direction\n", options.directions,
         options.threads, firsthit::instruction_set().c_str());
     std::printf("%-22s %9s %9s %6s %8s %8s %8s %8s %9s %9s %6s %8s\n", "scene", "triangles",
-        "points", "dark", "collect", "see", "sort", "test", "ours", "Embree", "ratio", "differ");
+        "points", "dark", "collect", "project", "sort", "test", "ours", "Embree", "ratio",
+        "differ");
     try {
         for (const std::string& scene : options.scenes) firsthit::measure(scene, options);
     } catch (const std::exception& error) {

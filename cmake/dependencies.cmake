@@ -14,6 +14,7 @@ firsthit_need(hwy libhwy-dev)
 firsthit_need(PNG libpng-dev)
 firsthit_need(OpenEXR libopenexr-dev)
 firsthit_need(fmt libfmt-dev)
+firsthit_need(nlohmann_json nlohmann-json3-dev)
 
 # stb comes as headers without a package file.
 find_path(FIRSTHIT_STB_INCLUDE stb/stb_image.h)
@@ -22,7 +23,25 @@ if(NOT FIRSTHIT_STB_INCLUDE)
 endif()
 
 # Debian's hwy package exports its target under this name only.
-set(FIRSTHIT_PRIVATE_LIBRARIES Threads::Threads hwy::hwy PNG::PNG OpenEXR::OpenEXR fmt::fmt)
+set(FIRSTHIT_PRIVATE_LIBRARIES Threads::Threads hwy::hwy PNG::PNG OpenEXR::OpenEXR fmt::fmt
+    $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}) # Findepoxy.cmake, Findwebp.cmake
+
+# FBX, COLLADA and 3MF files, packed parts of glTF files, and JPEG pictures to write: each may be missing.
+# firsthit_may_use(name package target)
+macro(firsthit_may_use name package)
+    find_package(${name} QUIET)
+    if(${name}_FOUND)
+        list(APPEND FIRSTHIT_PRIVATE_LIBRARIES ${ARGN})
+    else()
+        message(STATUS "firsthit: without ${name} (apt-get install ${package})")
+    endif()
+endmacro()
+firsthit_may_use(assimp libassimp-dev assimp::assimp)
+firsthit_may_use(draco libdraco-dev draco::draco)
+firsthit_may_use(meshoptimizer libmeshoptimizer-dev meshoptimizer::meshoptimizer)
+firsthit_may_use(webp libwebp-dev webp::webp)
+firsthit_may_use(JPEG libjpeg-dev JPEG::JPEG)
 if(FIRSTHIT_BUILD_EMBREE)
     firsthit_need(embree libembree-dev 3)
     list(APPEND FIRSTHIT_PRIVATE_LIBRARIES embree)
@@ -30,7 +49,6 @@ else()
     message(STATUS "firsthit: without Embree (FIRSTHIT_BUILD_EMBREE=OFF)")
 endif()
 if(FIRSTHIT_BUILD_GL)
-    list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}) # Findepoxy.cmake
     firsthit_need(epoxy libepoxy-dev)
     list(APPEND FIRSTHIT_PRIVATE_LIBRARIES epoxy::epoxy ${CMAKE_DL_LIBS})
 else()

@@ -17,7 +17,11 @@ if [ $# -gt 1 ]; then targets=(--target "${@:2}"); fi
 log=build/$preset.log
 mkdir -p build
 
-if command -v ccache >/dev/null; then options+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+if command -v ccache >/dev/null; then
+    options+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    # Without these two it does not keep what is compiled with precompiled headers.
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+fi
 
 echo "building the preset $preset"
 {

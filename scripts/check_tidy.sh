@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # check_tidy.sh - clang-tidy, with the checks of .clang-tidy, over what it can read in reasonable time: the
 # public headers, files, scenes, the frame, the renderer, the program and the examples.
-# Usage: check_tidy.sh [FILE...]; needs build/release to be configured (scripts/build.sh release).
+# Usage: check_tidy.sh [FILE...]
 # Left out by rule: kernels, which include themselves four times by Highway (foreach_target.h) and take half
 # a minute each, and what lies on them; they are compiled with -Wconversion and run under sanitizers.
 set -euo pipefail
@@ -12,7 +12,8 @@ command -v "$tidy" >/dev/null || {
     echo "check_tidy.sh: $tidy is missing: apt-get install clang-tidy-14" >&2
     exit 1
 }
-[ -f build/release/compile_commands.json ] || cmake --preset release >/dev/null
+# Configured alone, nothing is built: clang cannot read what g++ precompiles.
+cmake --preset release -B build/tidy -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
 if [ $# -gt 0 ]; then
     files=("$@")
@@ -24,7 +25,7 @@ else
 fi
 log=build/tidy.log
 # clang does not know g++'s options: it is told not to mind.
-printf '%s\0' "${files[@]}" | xargs -0 -r -n 1 -P "$(nproc)" "$tidy" -p build/release --quiet \
+printf '%s\0' "${files[@]}" | xargs -0 -r -n 1 -P "$(nproc)" "$tidy" -p build/tidy --quiet \
     --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-ignored-optimization-argument >"$log" 2>"$log.err" || {
     cat "$log" >&2
     grep -E 'error' "$log.err" >&2 || true

@@ -5,8 +5,9 @@ set -euo pipefail
 
 build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
     libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
-    nlohmann-json3-dev libepoxy-dev libegl1 libgl1 libgl1-mesa-dri python3"
-ci="clang-format-14 clang-tidy-14 doxygen clang-14 libclang-rt-14-dev glslang-tools"
+    nlohmann-json3-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libjpeg-dev
+    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri python3"
+ci="clang-format-14 clang-tidy-14 doxygen clang-14 libclang-rt-14-dev glslang-tools ffmpeg pkg-config"
 scenes="npm ca-certificates"
 
 needed=""

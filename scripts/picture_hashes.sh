@@ -28,7 +28,7 @@ hashes()
     local scene=$1 time=$2 engine=$3 shadows=$4 options=()
     for plane in "${planes[@]}"; do options+=(--aov "$plane=$work/$plane.npy"); done
     [ "$engine $shadows" != "hybrid exact" ] || options+=(--multisample exact)
-    [ "$kind" = exact ] || options+=(-o "$work/color.exr")
+    [ "$kind" = exact ] || options+=(-o "$work/color.exr" --aa 1)
     "$program" render "$scene" --time "$time" --size "$size" --engine "$engine" --shadows "$shadows" "${options[@]}" \
         >"$work/log" 2>&1 || { echo "picture_hashes.sh: no $engine frame of $scene: $(tail -n 1 "$work/log")" >&2; return 0; }
     for file in "$work"/*.npy "$work"/*.exr; do

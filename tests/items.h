@@ -46,9 +46,14 @@ struct EyeWorld {
         Tasks tasks(1);
         const View filled = checked(view);
         memory.pencil = pencil_of(filled, filled.region, 1);
-        project_vertices(world.position, memory, tasks);
-        triangles = {memory.corner.span().first(world.position.size()), world.scene->index};
+        take_triangles(*world.scene, memory);
+        project_vertices(world.position, memory.pencil, memory, tasks);
+        triangles = {
+            memory.corner.span().first(world.position.size()), world.scene->index, &memory.cutouts};
     }
+
+    EyeWorld(const EyeWorld&) = delete;
+    EyeWorld& operator=(const EyeWorld&) = delete;
 
     glm::vec3 ray(int x, int y) const
     {

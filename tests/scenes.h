@@ -9,7 +9,7 @@
 
 namespace firsthit::test {
 
-/// A posed world that owns its scene: one part, one grey material, no lights.
+/// A posed world that owns its scene: one instance, one grey material, no lights.
 struct TestWorld {
     std::shared_ptr<Scene> scene = std::make_shared<Scene>();
     World world;
@@ -31,10 +31,10 @@ struct TestWorld {
         scene->owner.assign(scene->index.size(), 0);
         scene->nodes = {Node{}};
         scene->materials = {Material{}};
-        Part part;
-        part.vertex_count = std::uint32_t(world.position.size());
-        part.triangle_count = std::uint32_t(scene->index.size());
-        scene->parts = {part};
+        Instance instance;
+        instance.vertex_count = std::uint32_t(world.position.size());
+        instance.triangle_count = std::uint32_t(scene->index.size());
+        scene->instances = {instance};
         world.scene = scene;
         world.node_matrix = {glm::dmat4(1.0)};
         world.node_visible = {1};

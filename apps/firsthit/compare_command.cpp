@@ -4,11 +4,14 @@
 
 #include "engine_report.h"
 #include "options/light_options.h"
+#include "options/scene_source.h"
+#include "common/add_parsed.h"
 #include "common/output.h"
 #include "common/parse.h"
 #include "common/progress.h"
 #include "common/usage.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +21,7 @@ namespace firsthit::cli {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompareExamples = R"(Examples:
   firsthit compare builtin:torus --against brute --size 512x512
   firsthit compare Robot.aff --against embree --time 10
   firsthit compare builtin:robots --against embree --frames 0:9:10 --json
@@ -55,7 +58,7 @@ std::optional<Oracle> parse_oracle(const std::string& text)
 /// bands as at once; Embree would build its structure again for each, so it gets one.
 std::vector<Region> bands(const CompareOptions& options)
 {
-    const Size size = options.camera.size;
+    const Size size = options.camera.pixels();
     const int count = options.oracle != Oracle::embree ? std::min(size.height, 16) : 1;
     std::vector<Region> regions;
     for (int k = 0; k < count; ++k) {
@@ -92,7 +95,7 @@ void add_compare_options(CLI::App& app, CompareOptions& options)
         [](const std::string& text) { return parse_integer(text, 0, 1024); }, "N",
         "Threads, 0 to 1024; default 0: one for each core");
     app.add_flag("--json", options.json, "Print one JSON object");
-    app.footer(kExamples);
+    app.footer(kCompareExamples);
 }
 
 void check(const CompareOptions& options)
@@ -169,17 +172,18 @@ std::string comparison_text(const Comparison& comparison, const std::optional<Li
 
 namespace {
 
-std::vector<double> times_of(const CompareOptions& options, const Scene& scene)
+std::vector<double> times_of(const CompareOptions& options, double begin_s)
 {
-    return options.frames.empty() ? std::vector<double>{options.time_s.value_or(scene.begin_s)}
+    return options.frames.empty() ? std::vector<double>{options.time_s.value_or(begin_s)}
                                   : options.frames;
 }
 
-int compare_with_oracle(const CompareOptions& options, const std::shared_ptr<const Scene>& scene)
+int compare_with_oracle(const CompareOptions& options, SceneSource& source)
 {
-    const std::vector<double> times = times_of(options, *scene);
+    PoseSettings chosen = pose_settings(options.scene.pose, *source.first());
+    const std::vector<double> times = times_of(options, chosen.time_s);
     const std::vector<Region> regions = bands(options);
-    ViewMaker views(options.camera);
+    ViewMaker views(options.camera, options.scene.shown_name());
     World world;
     Comparison sum;
     std::optional<LitComparison> lit;
@@ -187,7 +191,8 @@ int compare_with_oracle(const CompareOptions& options, const std::shared_ptr<con
     {
         Progress progress("compared", times.size() * regions.size());
         for (const double time_s : times) {
-            pose(scene, time_s, world);
+            chosen.time_s = time_s;
+            pose(source.scene_at(time_s), chosen, world);
             View view = views.view(world);
             for (const Region& region : regions) {
                 view.region = region;
@@ -201,20 +206,22 @@ int compare_with_oracle(const CompareOptions& options, const std::shared_ptr<con
     return sum.ours_wrong + (lit ? lit->ours_wrong : 0) == 0 ? kExitDone : kExitFailed;
 }
 
-int compare_with_cpu(const CompareOptions& options, const std::shared_ptr<const Scene>& scene)
+int compare_with_cpu(const CompareOptions& options, SceneSource& source)
 {
     Settings settings;
     settings.shadows = options.shadows;
     apply(options.engine, settings);
-    const std::vector<double> times = times_of(options, *scene);
-    ViewMaker views(options.camera);
+    PoseSettings chosen = pose_settings(options.scene.pose, *source.first());
+    const std::vector<double> times = times_of(options, chosen.time_s);
+    ViewMaker views(options.camera, options.scene.shown_name());
     EngineComparer comparer(options.threads);
     World world;
     EngineComparison sum;
     {
         Progress progress("compared", times.size());
         for (const double time_s : times) {
-            pose(scene, time_s, world);
+            chosen.time_s = time_s;
+            pose(source.scene_at(time_s), chosen, world);
             sum = sum + comparer.compare(world, views.view(world), settings);
             progress.advance();
         }
@@ -227,11 +234,14 @@ int compare_with_cpu(const CompareOptions& options, const std::shared_ptr<const 
 
 } // namespace
 
-int run_compare(const CompareOptions& options)
+int run_compare(const CompareOptions& given)
 {
-    check(options);
-    const auto scene = std::make_shared<const Scene>(load(options.scene));
-    return options.oracle ? compare_with_oracle(options, scene) : compare_with_cpu(options, scene);
+    check(given);
+    CompareOptions options = given;
+    SceneSource source(options.scene);
+    take_size(*source.first(), options.camera);
+    return options.oracle ? compare_with_oracle(options, source)
+                          : compare_with_cpu(options, source);
 }
 
 } // namespace firsthit::cli

@@ -9,11 +9,13 @@
 
 #include <firsthit/compare.h>
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace firsthit::cli {
 

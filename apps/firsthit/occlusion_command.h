@@ -3,24 +3,32 @@
 
 #include "common/json.h"
 #include "options/scene_options.h"
+#include "options/sun_span.h"
 
 #include <firsthit/scene.h>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace firsthit::cli {
 
 struct OcclusionOptions {
     SceneOptions scene;
     std::string points;
-    std::string receivers;     // empty: none
-    std::string directions;    // empty: `lights` says all
-    std::vector<Light> lights; // in the order of the command line
+    std::string receivers;         // empty: none
+    std::string directions;        // empty: `lights` says all
+    std::vector<Light> lights;     // in the order of the command line
+    std::vector<std::size_t> suns; // of these, the ones that were given for a world with y up
+    std::optional<SunSpan> sun;    // of --sun
+    bool hours = false;            // of it: sums in the place of answers
+    double north_deg = 0;
+    std::optional<glm::dvec3> up_axis; // none: by the kind of file
     std::string output;
     std::optional<double> time_s; // none: the scene's begin
     int threads = 0;
@@ -35,6 +43,7 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 struct OcclusionReport {
     std::uint64_t points = 0, lights = 0, triangles = 0;
     std::uint64_t occluded = 0; // of points * lights
+    std::uint64_t nights = 0;   // of the lights: suns below the horizon, which are not tested
     double load_ms = 0;         // scene, points and directions
     double pose_ms = 0;
     double test_ms = 0;

@@ -25,13 +25,19 @@ constexpr Stage kStages[] = {
     {"shadow_collect", &Stats::shadow_collect_ms},
     {"shadow_sort", &Stats::shadow_sort_ms},
     {"shadow_test", &Stats::shadow_test_ms},
+    {"sky", &Stats::sky_ms},
     {"shade", &Stats::shade_ms},
+    {"mark", &Stats::mark_ms},
+    {"fine", &Stats::fine_ms},
     {"draw", &Stats::draw_ms},
     {"transfer", &Stats::transfer_ms},
     {"wait", &Stats::wait_ms},
     {"write", &Stats::write_ms},
     {"total", &Stats::total_ms},
 };
+
+/// What took less would be a row of zeros.
+constexpr double kLeastShownMs = 0.005;
 
 struct Count {
     const char* name;
@@ -51,10 +57,12 @@ constexpr Count kCounts[] = {
     {"uncertain pixels", "uncertain_samples", &Stats::uncertain_samples},
     {"missed", "missed", &Stats::missed},
     {"interpolated", "interpolated", &Stats::interpolated},
+    {"fine pixels", "fine_pixels", &Stats::fine_pixels},
     {"shadow points", "shadow_points", &Stats::shadow_points},
     {"shadow triangles", "shadow_triangles", &Stats::shadow_triangles},
     {"shadow pairs", "shadow_pairs", &Stats::shadow_pairs},
     {"shadow uncertain", "shadow_uncertain", &Stats::shadow_uncertain},
+    {"sky points", "sky_points", &Stats::sky_points},
     {"map updates", "map_updates", &Stats::map_updates},
     {"uploaded bytes", "uploaded_bytes", &Stats::uploaded_bytes},
 };
@@ -84,10 +92,13 @@ std::string stats_table(const RunReport& report)
     std::string text;
     const auto out = std::back_inserter(text);
     const bool several = report.frames.size() > 1;
-    fmt::format_to(out, "{}, {}x{}, {} ray{} a pixel, {} thread{}, {}, {} frame{}\n", report.scene,
-        report.width, report.height, report.samples * report.samples,
-        report.samples == 1 ? "" : "s", report.threads, report.threads == 1 ? "" : "s",
-        report.instruction_set, report.frames.size(), several ? "s" : "");
+    fmt::format_to(out, "{}, {}x{}, {} ray{} a pixel{}, {} thread{}, {}, {} frame{}\n",
+        report.scene, report.width, report.height, report.samples * report.samples,
+        report.samples == 1 ? "" : "s",
+        report.adaptive > 1 ? fmt::format(", {} at edges", report.adaptive * report.adaptive)
+                            : std::string(),
+        report.threads, report.threads == 1 ? "" : "s", report.instruction_set,
+        report.frames.size(), several ? "s" : "");
     fmt::format_to(
         out, "engine {}{}{}\n", report.engine, report.device.empty() ? "" : " on ", report.device);
     fmt::format_to(out, "{:<16}{:>12}{}\n", "stage", several ? "mean ms" : "ms",
@@ -95,6 +106,7 @@ std::string stats_table(const RunReport& report)
     fmt::format_to(out, "{:<16}{:>12.2f}\n", "load", report.load_ms);
     for (const Stage& stage : kStages) {
         const auto ms = over_frames(report, stage.ms);
+        if (ms.max < kLeastShownMs) continue;
         fmt::format_to(out, "{:<16}{:>12.2f}", stage.name, ms.mean);
         if (several) fmt::format_to(out, "{:>12.2f}", ms.max);
         text += '\n';
@@ -103,6 +115,7 @@ std::string stats_table(const RunReport& report)
         out, "{:<16}{:>12}{}\n", "count", several ? "mean" : "", several ? "         max" : "");
     for (const Count& count : kCounts) {
         const auto value = over_frames(report, count.value);
+        if (value.max == 0) continue;
         fmt::format_to(out, "{:<16}{:>12.0f}", count.name, value.mean);
         if (several) fmt::format_to(out, "{:>12}", value.max);
         text += '\n';
@@ -119,6 +132,7 @@ Json stats_json(const RunReport& report)
         {"width", report.width},
         {"height", report.height},
         {"samples", report.samples},
+        {"adaptive", report.adaptive},
         {"threads", report.threads},
         {"instruction_set", report.instruction_set},
         {"engine", report.engine},

@@ -21,7 +21,8 @@ struct RunReport {
     std::string scene;
     int width = 0;
     int height = 0;
-    int samples = 1; // N of N x N
+    int samples = 1;  // N of N x N
+    int adaptive = 1; // the same where there are edges
     int threads = 1;
     std::string instruction_set;
     std::string engine = "cpu"; // that made the last frame
@@ -31,7 +32,7 @@ struct RunReport {
     std::vector<FrameReport> frames;     // at least one
 };
 
-/// Milliseconds by stage and counts; of several frames the mean and the largest.
+/// Milliseconds by stage and counts; of several frames the mean and the largest. Rows of zeros are left out.
 std::string stats_table(const RunReport& report);
 
 /// The same with every frame.

@@ -1,4 +1,4 @@
-// baseline.h - the same frame by a ray tracer with a tree, to measure ours against.
+// baseline.h - the same frame made with Embree's ray tracer, to measure ours against.
 #pragma once
 
 #include <firsthit/film.h>
@@ -12,44 +12,46 @@
 
 namespace firsthit {
 
-/// Makes the cpu engine's frame with Embree 3: coherent packets of 8 or 16 rays from the eye; where a
-/// hit's triangle faces a light, a shadow ray, in coherent packets too; then the cpu engine's own
-/// shading, tile by tile, while hits are in cache. Positions are read where pose() writes them, without a copy.
+/// Makes the cpu engine's frame with Embree 3. Rays from the eye are traced in coherent packets of
+/// 8 or 16. If the triangle of a hit faces a light, a shadow ray is traced, also in coherent
+/// packets. Then the cpu engine's shading follows, tile by tile, while the hits are in cache.
+/// Embree reads the positions where pose() writes them, without a copy.
 ///
-/// The picture is the cpu engine's with exact shadows but for a few pixels: Embree rounds where rays
-/// meet edges, equal depths, and shadows that begin at their own triangle.
+/// The picture differs from the cpu engine's picture with exact shadows in a few pixels, because
+/// Embree rounds: at edges, at equal depths, and at shadows that begin at their own triangle.
 class EmbreeBaseline {
   public:
-    /// scene    is shared by the baseline and its worlds
-    /// threads  0: one for each core. Trees are built by as many
-    /// packet   rays in a packet: 8, over 4x2 pixels, or 16, over 4x4; 0: the most that Embree has
-    ///          instructions for here
+    /// scene    shared by the baseline and its worlds
+    /// threads  number of threads for rendering and for building trees; 0: one for each core
+    /// packet   rays in a packet: 8 (4x2 pixels) or 16 (4x4 pixels); 0: the most that Embree
+    ///          supports on this machine
     /// throws   DeviceError: the build has no Embree, or Embree fails
-    ///          ArgumentError: another number of rays
+    ///          ArgumentError: another packet size
     EmbreeBaseline(
         std::shared_ptr<const Scene> scene, BaselineUpdate update, int threads = 0, int packet = 0);
     ~EmbreeBaseline();
     EmbreeBaseline(const EmbreeBaseline&) = delete;
     EmbreeBaseline& operator=(const EmbreeBaseline&) = delete;
 
-    /// Poses the scene for the frames that follow. Counted in the next frame's statistics.
+    /// Poses the scene for the following frames, at a time in seconds. The time that it takes is
+    /// part of the next frame's statistics.
     /// throws  as firsthit::pose
     const World& pose(double time_s);
 
-    /// The next frame's tree is updated as if everything had moved.
+    /// Makes the next frame update its tree as if all triangles had moved.
     void assume_moved();
 
-    /// Makes the picture of the world that was posed last; at time 0 where none was. Of the settings
-    /// color, aovs, shadows and tile_size are looked at; automatic shadows are exact.
-    /// throws  ArgumentError: several samples a pixel, interleaving or shadow maps, and as
+    /// Makes the picture of the world that was posed last; poses it at time 0 if it was never
+    /// posed. Uses settings.color, aovs, shadows and tile_size only; automatic shadows are exact.
+    /// throws  ArgumentError: several samples in a pixel, interleaving, a sky or shadow maps, and as
     ///         Renderer::render
-    ///         DeviceError: Embree fails, for instance without memory
+    ///         DeviceError: Embree fails, for example because there is not enough memory
     void render(const View& view, const Settings& settings, Film& film);
 
-    /// Of the last frame.
+    /// Statistics of the last frame.
     const BaselineStats& stats() const;
 
-    /// How many threads it works on, the caller's among them.
+    /// The number of threads, including the caller's.
     int threads() const;
 
     /// Rays in a packet: 8 or 16.
@@ -60,7 +62,7 @@ class EmbreeBaseline {
     std::unique_ptr<Impl> impl_;
 };
 
-/// "Embree 3.13.5"; empty where the build has none.
+/// The version of Embree, such as "Embree 3.13.5"; empty if the build has none.
 std::string baseline_version();
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// error.h - what the library throws, by kind. It never prints and never exits.
+// error.h - the exceptions of the library. The library never prints and never exits.
 #pragma once
 
 #include <stdexcept>
@@ -6,8 +6,8 @@
 
 namespace firsthit {
 
-/// The root of all errors. The message names what was asked, the value, what is accepted, the
-/// place.
+/// The base of all errors. The message names what was asked for, the value, what is accepted, and
+/// the place.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -19,7 +19,7 @@ class FileError : public Error {
     using Error::Error;
 };
 
-/// A scene contradicts itself: an index out of range, a coordinate that is no number.
+/// A scene is invalid: for example, an index is out of range or a coordinate is NaN.
 class SceneError : public Error {
   public:
     using Error::Error;
@@ -31,13 +31,13 @@ class ArgumentError : public Error {
     using Error::Error;
 };
 
-/// The machine lacks something that was asked for by name.
+/// Something that was explicitly asked for is not available, or fails: OpenGL, Embree, GPU memory.
 class DeviceError : public Error {
   public:
     using Error::Error;
 };
 
-/// The caller gave the work up (frame_control.h).
+/// The caller cancelled the work (frame_control.h).
 class Cancelled : public Error {
   public:
     using Error::Error;

@@ -1,4 +1,5 @@
-// file.h - files that appear whole or not at all, and never in place of what was read.
+// file.h - writes files that appear whole or not at all, and protects input files from being
+// overwritten.
 #pragma once
 
 #include <span>
@@ -7,27 +8,30 @@
 
 namespace firsthit {
 
-/// Writes a file: under a temporary name beside it, renamed at the end. A file that is replaced
-/// keeps its permissions. A symbolic link is followed, also to a file that is not there yet. What
-/// exists and is no regular file (/dev/null, a pipe) is written directly.
-/// throws  FileError that names the path and the reason; then nothing is left behind
+/// Writes a file under a temporary name in the same folder and renames it at the end. A file that
+/// is replaced keeps its permissions. A symbolic link is followed, even if its target does not
+/// exist yet. If the path exists but is not a regular file (/dev/null, a pipe), it is written
+/// directly. "-" is standard output.
+/// throws  FileError, with the path and the reason; no temporary file is left
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Throws the FileError that writing would meet at once: a folder that is missing or may not be
-/// written, a path that is a folder. For asking before a long computation; nothing is created.
+/// Checks, before a long computation, whether a file can be written. Creates nothing.
+/// throws  FileError: the folder does not exist or is not writable, or the path is a folder
 void check_output_path(const std::string& path);
 
-/// Where a write to `path` ends: one name for all the ways to spell it, symbolic links followed, also
-/// a last one that leads to nothing yet. `path` itself where there is no such name.
+/// The file that a write to `path` would write: a canonical path that is the same for all
+/// spellings, with symbolic links followed, even a last one whose target does not exist yet.
+/// Returns `path` itself if there is no such path.
 std::string output_target(const std::string& path);
 
-/// True where both paths lead to one file, through symbolic and hard links too; of files that do not
-/// exist yet, where writes to both would make one file.
+/// Whether both paths lead to the same file, also through symbolic and hard links. For files that
+/// do not exist yet: whether writing both would write the same file.
 bool same_file(const std::string& a, const std::string& b);
 
-/// Throws the FileError of the first of `outputs` whose writing would replace one of `inputs`, such
-/// as Scene::files; it names both. For asking before anything is written. Files are told apart as by
-/// same_file.
+/// Checks, before anything is written, that no output would replace an input. Compares files as
+/// same_file does.
+/// inputs  for example Scene::files
+/// throws  FileError for the first output that would replace an input; the message names both
 void check_inputs_stay(std::span<const std::string> outputs, std::span<const std::string> inputs);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// frame_control.h - to follow a frame while it is made, and to give it up.
+// frame_control.h - progress and cancellation of a frame.
 #pragma once
 
 #include <functional>
@@ -6,16 +6,17 @@
 
 namespace firsthit {
 
-/// What a caller has to say while a frame is made. Nothing by default.
+/// How a caller follows a frame while it is made, and cancels it. By default it does neither.
 struct FrameControl {
-    /// Once a stop is requested, from whatever thread, the frame is given up as soon as the tiles in
-    /// work are done, or on the gpu engine the pass: render() throws Cancelled (error.h).
+    /// Cancels the frame. After a request, which may come from any thread, the tiles in work (or,
+    /// on the gpu engine, the current pass) are finished, and render() throws Cancelled (error.h).
     std::stop_token stop;
 
-    /// Is told the share of the frame that is done: 0 first, then more and more, and 1 at last, where
-    /// the frame was not given up. Called on the thread that called render(), before it returns. It
-    /// may request a stop. It must not call the renderer, and leaves the thread's OpenGL context as
-    /// it found it; what it throws comes out of render(), as if the frame had been cancelled.
+    /// Receives the share of the frame that is done: first 0, then increasing values, and finally 1
+    /// unless the frame was cancelled. It is called on the thread that called render(), before
+    /// render() returns. It may request a stop. It must not call the renderer, and must leave the
+    /// thread's OpenGL context as it found it. If it throws, the frame is cancelled and render()
+    /// throws the same exception.
     std::function<void(double)> progress;
 };
 

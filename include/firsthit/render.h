@@ -13,44 +13,52 @@
 
 namespace firsthit {
 
-/// What a frame was made on.
+/// The engine that made a frame.
 struct EngineInfo {
-    Engine engine = Engine::cpu; // never automatic
-    std::string device;          // OpenGL's renderer and version; empty: none was used
-    std::string reason;          // of Engine::automatic: why it is this one; else empty
+    Engine engine = Engine::cpu; // the engine, never automatic
+    std::string device;          // OpenGL's renderer and version; empty if OpenGL was not used
+    std::string reason;          // for Engine::automatic: why this engine was chosen; else empty
 };
 
-/// Renders frames; keeps the memory that they share. One frame at a time. The OpenGL engines have a
-/// context of their own, which is current on the caller's thread only inside of render(), where it takes
-/// the place of the caller's: so frames may come from different threads.
+/// Renders frames, and keeps memory and threads from frame to frame. Not thread-safe: one frame at
+/// a time, but different threads may take turns. The OpenGL engines have their own context. It is
+/// current on the caller's thread only during render(), which restores the caller's context
+/// afterwards.
 ///
-/// limits  after fork(), a child makes a renderer of its own and keeps to the cpu engine: drivers'
-///         threads stay with the parent
-///         the OpenGL engines take rigid parts from the scene and World::node_matrix, the others from
-///         World::position: positions that the caller changed after pose() are not seen
+/// limits  after fork(), a child process must make its own renderer and use the cpu engine, because
+///         the threads of OpenGL drivers exist only in the parent
+///         the OpenGL engines compute rigid parts from the scene and World::node_matrix, and take
+///         other parts from World::position: they ignore positions of rigid parts that were changed
+///         after pose()
 class Renderer {
   public:
-    /// threads  0: one for each core
+    /// threads  number of threads; 0: one for each core
     explicit Renderer(int threads = 0);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Poses the scene and makes the picture. A film's memory is reused by the next call that is
-    /// given the same film. The scene is looked at during the call only.
-    /// throws  ArgumentError: a size, region, sample count, camera or shadow setting out of range,
-    ///         Aov::lit of a world without lights or with more than kMaxLitLights
-    ///         SceneError: a light that contradicts itself
-    ///         DeviceError: an OpenGL engine that is not there, or fails: no OpenGL 4.5, too little
-    ///         memory, a lost context. The next frame starts anew. Engine::automatic takes the cpu
-    ///         engine instead
+    /// Poses the scene at a time in seconds and makes the picture. The film's memory is reused if
+    /// the same film is passed again. The scene is used only during the call.
+    /// throws  ArgumentError: a size, region, number of samples, camera, sky or shadow setting out
+    ///         of range; Aov::lit for a world without lights or with more than kMaxLitLights; a
+    ///         previous frame of another scene; interleaving with an environment as background
+    ///         SceneError: an invalid light, and as firsthit::pose
+    ///         DeviceError: an OpenGL engine is not available or fails: no OpenGL 4.5, not enough
+    ///         memory, a lost context. The next frame makes a new context. Engine::automatic uses
+    ///         the cpu engine instead
+    ///         Error: not enough memory for the picture
     void render(
         const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film);
 
-    /// Poses the scene on the renderer's threads, for render() with a world: who wants the camera
-    /// of that time first. Counted in the next frame's statistics. The world shares the scene.
+    /// Poses the scene on the renderer's threads, for render() with a world, so that a caller can
+    /// read or change the world first, for example its camera. The time that this takes is part of
+    /// the next frame's statistics. The world shares ownership of the scene.
     /// throws  as firsthit::pose
     void pose(std::shared_ptr<const Scene> scene, double time_s, World& world);
+
+    /// The same of a chosen clip and camera.
+    void pose(std::shared_ptr<const Scene> scene, const PoseSettings& settings, World& world);
 
     /// Makes the picture of a world that is posed already; says how far it is, and gives it up when
     /// it is asked to.
@@ -62,13 +70,13 @@ class Renderer {
     void render(const World& world, const View& view, const Settings& settings, Film& film,
         const FrameControl& control = {});
 
-    /// Of the last frame.
+    /// Statistics of the last frame.
     const Stats& stats() const;
 
-    /// Of the last frame.
+    /// The engine of the last frame.
     const EngineInfo& engine() const;
 
-    /// How many threads it works on, the caller's among them.
+    /// The number of threads, including the caller's.
     int threads() const;
 
   private:
@@ -76,11 +84,12 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The instruction set the kernels use here ("AVX3", "AVX2", "SSE4", "SCALAR"), which the
-/// environment variable FIRSTHIT_ISA lowers.
+/// The instruction set that the kernels use on this machine: "AVX3", "AVX2", "SSE4" or "SCALAR".
+/// The environment variable FIRSTHIT_ISA can choose a lower one.
+/// throws  ArgumentError: FIRSTHIT_ISA names an instruction set that is not available
 std::string instruction_set();
 
-/// The version, "0.1.0".
+/// The version of the library, such as "0.1.0".
 std::string version();
 
 } // namespace firsthit

@@ -1,4 +1,5 @@
-// fresh_memory.cpp - what fresh memory holds, for tests that look for reads of it.
+// fresh_memory.cpp - fills newly allocated memory, so that tests find code that reads it before
+// writing.
 #include "base/fresh_memory.h"
 
 #include <cstring>

@@ -1,4 +1,5 @@
-// fresh_memory.h - what fresh memory holds, for tests that look for reads of it.
+// fresh_memory.h - fills newly allocated memory, so that tests find code that reads it before
+// writing.
 #pragma once
 
 #include <atomic>
@@ -7,24 +8,25 @@
 
 namespace firsthit {
 
-/// What memory that a buffer has just got is filled with.
+/// The values that newly allocated memory of buffers is filled with.
 enum class FreshFill : std::uint8_t {
-    none,   // nothing: it is not touched
+    none,   // it is not filled
     zeros,  // 0x00000000
     ones,   // 0xFFFFFFFF: a negative NaN, kNoItem
-    nan,    // 0x7FC00000: a NaN as arithmetic makes it
-    one,    // 0x3F800000: 1.0f, a number that looks right
+    nan,    // 0x7FC00000: the NaN that arithmetic makes
+    one,    // 0x3F800000: 1.0f, a plausible number
     minus,  // 0xBF800000: -1.0f
-    random, // every buffer other bits
+    random, // different bits in each buffer
 };
 
-/// Of all buffers of the process, from now on. For tests only: pictures must not depend on it.
+/// The fill of all buffers that the process allocates from now on. For tests only: pictures must
+/// not depend on it.
 inline std::atomic<FreshFill> fresh_fill{FreshFill::none};
 
 /// Fills memory as `fill` says.
 void fill_memory(void* memory, std::size_t bytes, FreshFill fill);
 
-/// Fills fresh memory where a test asked for it.
+/// Fills newly allocated memory if a test has set `fresh_fill`.
 inline void fill_fresh(void* memory, std::size_t bytes)
 {
     const FreshFill fill = fresh_fill.load(std::memory_order_relaxed);

@@ -39,7 +39,7 @@ void lower_to(const std::string& wanted)
     });
     if (!found)
         throw ArgumentError(
-            fmt::format("FIRSTHIT_ISA={} is not to be had here: {}", wanted, names));
+            fmt::format("FIRSTHIT_ISA={} is not available here: accepted are {}", wanted, names));
     hwy::DisableTargets(better);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }

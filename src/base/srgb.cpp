@@ -5,19 +5,36 @@
 #include <limits>
 
 namespace firsthit {
+namespace {
+
+float from_srgb(double s)
+{
+    return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+} // namespace
 
 const std::array<float, 256>& linear_from_srgb()
 {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> linear{};
         for (std::size_t code = 0; code < linear.size(); ++code) {
-            const double s = static_cast<double>(code) / 255;
-            linear[code] =
-                static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+            linear[code] = from_srgb(static_cast<double>(code) / 255);
         }
         return linear;
     }();
     return table;
+}
+
+float linear_of_srgb(double value)
+{
+    if (!(value > 0)) return 0;
+    if (value >= 1) return 1;
+    // Codes of 8 bits are most of what files have.
+    const double code = value * 255;
+    const double whole = std::floor(code + 0.5);
+    if (whole / 255 == value) return linear_from_srgb()[static_cast<std::size_t>(whole)];
+    return from_srgb(value);
 }
 
 double srgb_value(float linear)

@@ -14,6 +14,10 @@ namespace firsthit {
 /// The linear light, in [0, 1], of each code.
 const std::array<float, 256>& linear_from_srgb();
 
+/// The linear light of an sRGB value, both in [0, 1]; values outside are clamped, NaN gives 0.
+/// That of a code / 255 is the one of the table above.
+float linear_of_srgb(double value);
+
 /// The sRGB value, in [0, 1], of a linear value clamped to [0, 1]; NaN gives 0.
 double srgb_value(float linear);
 

@@ -1,4 +1,4 @@
-// undefined_lanes.h - tells MemorySanitizer of reads past the end that are meant.
+// undefined_lanes.h - tells MemorySanitizer about intended reads past the end of an array.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace firsthit {
 
-/// Memory of whole registers of which some lanes may be undefined; what comes of these is masked.
+/// Declares memory as initialised for MemorySanitizer. For whole registers with undefined lanes,
+/// whose results are masked.
 inline void may_be_undefined(
     [[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes)
 {

@@ -1,4 +1,5 @@
-// block_vectors-inl.h - a vector for each sample of a block, in memory, where packets take theirs.
+// block_vectors-inl.h - a vector for each sample of a block, in memory, from which packets of rays
+// are loaded.
 #if defined(FIRSTHIT_BASELINE_BLOCK_VECTORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_BASELINE_BLOCK_VECTORS_INL_H_
 #undef FIRSTHIT_BASELINE_BLOCK_VECTORS_INL_H_
@@ -12,12 +13,13 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
+/// Structure of arrays, in the order of base/tile_order.h.
 struct BlockVectors {
     alignas(64) float x[kBlockSamples];
     alignas(64) float y[kBlockSamples];
     alignas(64) float z[kBlockSamples];
 
-    /// Of the samples [first, first + kLanes).
+    /// Sets the vectors of the samples [first, first + kLanes).
     HWY_INLINE void set(int first, real3 v)
     {
         store(v.x, x + first);

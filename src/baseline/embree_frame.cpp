@@ -1,4 +1,5 @@
-// embree_frame.cpp - the cpu engine's frame, with a tree and rays in the place of rasterising.
+// embree_frame.cpp - the frame of the baseline: that of the cpu engine, but Embree's tree and rays
+// replace rasterising.
 #include "baseline/embree_frame.h"
 
 #include "base/stopwatch.h"
@@ -10,27 +11,28 @@
 namespace firsthit {
 namespace {
 
-EmbreeTile tile_of(const TileLayout& view, const EmbreeRays& answers, int tile)
+EmbreeTile tile_of(const TileLayout& layout, const EmbreeRays& rays, int tile)
 {
-    const Pencil& pencil = view.pencil;
-    const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
+    const Pencil& pencil = layout.pencil;
+    const int x = layout.first_x(tile), y = layout.first_y(tile);
     EmbreeTile to_shoot;
-    to_shoot.scene = answers.tree.scene();
-    to_shoot.first_triangle = answers.tree.first_triangle();
-    to_shoot.packet = answers.packet;
-    to_shoot.size = view.tile_size;
-    to_shoot.width = std::min(view.tile_size, pencil.width - x);
-    to_shoot.height = std::min(view.tile_size, pencil.height - y);
+    to_shoot.scene = rays.tree.scene();
+    to_shoot.first_triangle = rays.tree.first_triangle();
+    to_shoot.packet = rays.packet;
+    to_shoot.size = layout.tile_size;
+    to_shoot.width = std::min(layout.tile_size, pencil.width - x);
+    to_shoot.height = std::min(layout.tile_size, pencil.height - y);
     to_shoot.rays = world_rays(pencil, pencil.tile(x, y));
     return to_shoot;
 }
 
+/// Lays out the tiles, and prepares the memory and the film.
 void prepare(const FrameContext& frame, const Settings& settings, EmbreeFrameMemory& memory)
 {
     const std::size_t lights = frame.world.lights.size();
     const auto threads = std::size_t(frame.tasks.threads());
     const auto samples = std::size_t(settings.tile_size) * std::size_t(settings.tile_size);
-    lay_out(pencil_of(frame.view, frame.view.region, 1), settings.tile_size, memory.view);
+    lay_out(pencil_of(frame.view, frame.view.region, 1), settings.tile_size, memory.layout);
     resize(memory.hits, settings.tile_size, threads);
     while (memory.workers.size() < threads)
         memory.workers.push_back(std::make_unique<EmbreeWorker>());
@@ -41,7 +43,7 @@ void prepare(const FrameContext& frame, const Settings& settings, EmbreeFrameMem
     resize(frame.film, frame.view.region, {settings.color, settings.aovs, lights});
 }
 
-/// Moves the workers' times and counts to the statistics.
+/// Adds the workers' times and counts to the statistics and sets them to 0.
 void collect(EmbreeFrameMemory& memory, int threads, BaselineStats& stats)
 {
     for (const auto& worker : memory.workers) {
@@ -67,10 +69,10 @@ void render_embree(const FrameContext& frame, const Settings& settings, const Em
     const std::span<const Light> lights =
         shadows ? std::span<const Light>(world.lights) : std::span<const Light>();
     frame.tasks.for_each(
-        std::size_t(memory.view.tiles()), [&](std::size_t tile, std::size_t number) {
+        std::size_t(memory.layout.tiles()), [&](std::size_t tile, std::size_t number) {
             EmbreeWorker& worker = *memory.workers[number];
             Stopwatch lap;
-            const EmbreeTile of = tile_of(memory.view, rays, int(tile));
+            const EmbreeTile of = tile_of(memory.layout, rays, int(tile));
             const HitTile hits = see_embree(of, memory.hits.of(number), lights, worker.tile);
             worker.hits += count_hits(hits);
             worker.primary_ms += lap.lap_ms();
@@ -82,8 +84,8 @@ void render_embree(const FrameContext& frame, const Settings& settings, const Em
             }
             worker.shadow_ms += lap.lap_ms();
             shade_tile(hits, world, lit, worker.shade.targets);
-            store_tile({memory.view, region, region, 1, int(tile)}, hits, lit, worker.shade.targets,
-                frame.film);
+            store_tile({memory.layout, region, region, 1, int(tile)}, hits, lit,
+                worker.shade.targets, frame.film);
             worker.shade_ms += lap.lap_ms();
         });
     collect(memory, frame.tasks.threads(), stats);

@@ -1,4 +1,5 @@
-// embree_frame.h - the cpu engine's frame, with a tree and rays in the place of rasterising.
+// embree_frame.h - the frame of the baseline: that of the cpu engine, but Embree's tree and rays
+// replace rasterising.
 #pragma once
 
 #include "cpu/frame_memory.h"
@@ -14,7 +15,7 @@
 
 namespace firsthit {
 
-/// What one worker needs to make a tile.
+/// The memory of one worker, and its times and counts in a frame.
 struct EmbreeWorker {
     ShadeMemory shade;
     EmbreeTileMemory tile;
@@ -23,21 +24,23 @@ struct EmbreeWorker {
     std::uint64_t hits = 0, shadow_rays = 0;
 };
 
-/// Kept from frame to frame.
+/// The memory of a frame, kept from frame to frame.
 struct EmbreeFrameMemory {
-    TileLayout view;
-    HitMemory hits; // of a tile for each worker
+    TileLayout layout;
+    HitMemory hits; // a tile for each worker
     std::vector<std::unique_ptr<EmbreeWorker>> workers;
 };
 
-/// Who answers rays.
+/// The tree that rays are shot into, and how.
 struct EmbreeRays {
-    const EmbreeTree& tree; // up to date
+    const EmbreeTree& tree; // updated for the frame's world
     int packet;             // rays in a packet, 8 or 16
 };
 
-/// Renders the view's region into the film and adds to the statistics. `settings` and the frame's
-/// view are checked; one sample a pixel; Shadows::map is not known here.
+/// Renders the view's region into the film, and adds to the statistics.
+///
+/// frame     its view is checked; one sample a pixel
+/// settings  checked; Shadows::map is not supported
 void render_embree(const FrameContext& frame, const Settings& settings, const EmbreeRays& rays,
     EmbreeFrameMemory& memory, BaselineStats& stats);
 

@@ -1,4 +1,5 @@
-// embree_light_visibility.cpp - which lights reach a tile's hits, by Embree's packets of shadow rays.
+// embree_light_visibility.cpp - finds which lights reach a tile's hits with Embree's packets of
+// shadow rays.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "baseline/embree_light_visibility.cpp"
 #include "base/simd.h"
@@ -20,7 +21,7 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Shadow rays of a packet, from hits to a light.
+/// A packet of shadow rays, from hits to a light.
 template <int kRays>
 struct LightPackets {
     using Packet = EmbreePacket<kRays>;
@@ -29,7 +30,7 @@ struct LightPackets {
     alignas(64) int valid[kRays];
     RTCIntersectContext context = coherent_context();
     RTCScene scene;
-    float near, far; // of the directions' lengths
+    float near, far; // ends of a ray, in lengths of its direction
 
     LightPackets(RTCScene of, float from, float to) : scene(of), near(from), far(to)
     {
@@ -41,6 +42,7 @@ struct LightPackets {
         }
     }
 
+    /// Shoots the rays of the samples [first, first + kRays) of a block.
     HWY_INLINE void cast(const BlockVectors& origin, const BlockVectors& direction, int first)
     {
         std::memcpy(rays.org_x, origin.x + first, sizeof rays.org_x);
@@ -54,7 +56,8 @@ struct LightPackets {
         Packet::occluded(valid, scene, context, rays);
     }
 
-    /// 1 where the last rays met nothing, else 0. (Else tfar is -infinity.)
+    /// Stores 1 for each of the last rays that hit nothing, else 0. Embree sets tfar to -infinity
+    /// if a ray is occluded.
     HWY_INLINE void store(float* lit) const
     {
         const hn::CappedTag<float, kRays> f;
@@ -65,13 +68,14 @@ struct LightPackets {
     }
 };
 
-/// Rays that fill no packet by themselves, until they do together.
+/// Collects rays until they fill a packet.
 template <int kRays>
 struct LooseRays {
-    BlockVectors origin, direction; // the first kRays of each
-    float* to[kRays];
+    BlockVectors origin, direction; // only the first kRays of each are used
+    float* to[kRays];               // where the result of each ray goes
     int count = 0;
 
+    /// Appends the ray of sample `from`, and shoots all rays once they fill a packet.
     HWY_INLINE void add(const BlockVectors& org, const BlockVectors& dir, int from, float* lit,
         LightPackets<kRays>& packets)
     {
@@ -82,6 +86,7 @@ struct LooseRays {
         if (count == kRays) cast(packets);
     }
 
+    /// Shoots the collected rays.
     void cast(LightPackets<kRays>& packets)
     {
         for (int k = count; k < kRays; ++k) {
@@ -97,13 +102,16 @@ struct LooseRays {
     }
 };
 
-/// Of the samples [first, first + kLanes) of a block, the bits.
+/// The bits of the samples [first, first + kLanes) of a block.
 HWY_INLINE std::uint64_t bits_from(int first)
 {
     return lane_bits(~std::uint64_t(0), 0) << first;
 }
 
-/// facing   (blocks)
+/// Finds the visibility of one light.
+///
+/// facing   (blocks) see EmbreeTileMemory
+/// lit      (samples)
 /// returns  the number of rays
 template <int kRays>
 std::uint64_t find_light_visibility_of(RTCScene scene, const HitTile& hits, const Light& light,

@@ -1,10 +1,11 @@
-// embree_packets.h - packets of 8 and of 16 coherent rays, by one name each.
+// embree_packets.h - Embree's types and functions for packets of 8 and of 16 rays, for templates.
 #pragma once
 
 #include <embree3/rtcore.h>
 
 namespace firsthit {
 
+/// kRays  8 or 16
 template <int kRays>
 struct EmbreePacket;
 
@@ -38,6 +39,7 @@ struct EmbreePacket<16> {
     }
 };
 
+/// Tells Embree that the rays of a packet are similar.
 inline RTCIntersectContext coherent_context()
 {
     RTCIntersectContext context;

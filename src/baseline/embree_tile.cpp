@@ -1,7 +1,7 @@
-// embree_tile.cpp - the hits of one tile, by Embree's packets of rays from the eye.
+// embree_tile.cpp - finds the hits of one tile with Embree's packets of rays from the eye.
 //
-// What lies around the calls of Embree takes a twentieth of their time: rays are made and hits are
-// taken a register at a time, and what does not change from packet to packet stays where it is.
+// The code around the calls of Embree takes a twentieth of their time: it makes rays and stores
+// hits a register at a time, and does not write again what is the same for all packets.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "baseline/embree_tile.cpp"
 #include "base/simd.h"
@@ -56,15 +56,18 @@ struct EyePackets {
     }
 };
 
-/// Of one block: which samples' triangles face what.
+/// Which sides of the triangles of a block are seen.
 struct Facing {
-    std::uint64_t away;   // volume_sign 1
-    std::uint64_t* light; // light 0
-    std::size_t stride;   // to the next light
-    BlockVectors normal;  // of the triangles, not unit
+    std::uint64_t
+        away; // bits of samples whose triangle's normal points away from the eye (volume_sign 1)
+    std::span<const LightSide> lights;
+    std::uint64_t* light; // EmbreeTileMemory::facing of the block for light 0
+    std::size_t stride;   // from one light to the next
+    BlockVectors normal;  // of each sample's triangle; not unit vectors
 };
 
-/// The items of a packet's lanes from k on: triangles are numbered in each geometry.
+/// The items of a register of a packet's rays, from number k on. Embree numbers the triangles of
+/// each geometry from 0.
 template <int kRays, class D>
 HWY_INLINE hn::Vec<D> items_of(const typename EmbreePacket<kRays>::RayHit& rays,
     const std::uint32_t* first_triangle, D n, int k)
@@ -78,13 +81,20 @@ HWY_INLINE hn::Vec<D> items_of(const typename EmbreePacket<kRays>::RayHit& rays,
     return hn::Add(item, hn::Load(n, first + k));
 }
 
-/// Takes a packet's hits to the tile, and finds out what their triangles face.
-/// first  sample of the packet in its block
-/// at     sample 0 of the block
+/// The packet of a block whose rays start at sample `first`.
+struct PacketPlace {
+    std::size_t block_at; // sample 0 of the block, in the tile
+    int first;
+    const BlockVectors& direction; // of the block's rays
+};
+
+/// Stores the hits of a packet, and finds out which sides of their triangles are seen.
+///
+/// places  of the tile
 template <int kRays>
-HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const EmbreeTile& tile,
-    const BlockVectors& direction, int first, std::size_t at, const HitPlaces& places,
-    const EmbreeTileMemory& memory, Facing& facing)
+HWY_INLINE void store_hits(const typename EmbreePacket<kRays>::RayHit& rays,
+    const std::uint32_t* first_triangle, const PacketPlace& packet, const HitPlaces& places,
+    Facing& facing)
 {
     const hn::CappedTag<float, kRays> f;
     const hn::RebindToUnsigned<decltype(f)> n;
@@ -94,8 +104,8 @@ HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const Emb
         const auto missed =
             hn::Eq(hn::Load(n, hit.geomID + k), hn::Set(n, RTC_INVALID_GEOMETRY_ID));
         const auto none = hn::RebindMask(f, missed);
-        const auto item = items_of<kRays>(rays, tile.first_triangle, n, k);
-        const std::size_t to = at + std::size_t(first + k);
+        const auto item = items_of<kRays>(rays, first_triangle, n, k);
+        const std::size_t to = packet.block_at + std::size_t(packet.first + k);
         hn::Store(hn::IfThenElse(missed, hn::Set(n, kNoItem), item), n, places.item + to);
         const auto t = hn::Load(f, ray.tfar + k);
         hn::Store(t, f, places.t + to);
@@ -111,15 +121,16 @@ HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const Emb
         const auto dot = [&](auto x, auto y, auto z) {
             return hn::Add(hn::Add(hn::Mul(nx, x), hn::Mul(ny, y)), hn::Mul(nz, z));
         };
-        const int sample = first + k;
+        const int sample = packet.first + k;
+        const BlockVectors& direction = packet.direction;
         hn::Store(nx, f, facing.normal.x + sample);
         hn::Store(ny, f, facing.normal.y + sample);
         hn::Store(nz, f, facing.normal.z + sample);
         const auto along = dot(hn::Load(f, direction.x + sample), hn::Load(f, direction.y + sample),
             hn::Load(f, direction.z + sample));
         facing.away |= bits_of(f, hn::AndNot(none, hn::Gt(along, zero))) << sample;
-        for (std::size_t l = 0; l < memory.side.size(); ++l) {
-            const LightSide& side = memory.side[l];
+        for (std::size_t l = 0; l < facing.lights.size(); ++l) {
+            const LightSide& side = facing.lights[l];
             auto light = dot(hn::Set(f, side.v.x), hn::Set(f, side.v.y), hn::Set(f, side.v.z));
             if (side.near) light = hn::Add(light, hn::Mul(t, along));
             const auto faces = hn::Gt(hn::Mul(light, along), zero);
@@ -128,7 +139,7 @@ HWY_INLINE void take(const typename EmbreePacket<kRays>::RayHit& rays, const Emb
     }
 }
 
-/// Gives the run its plane, from the normal of one of its samples and the ray there.
+/// Sets the plane of a run from the normal and the ray of one of its samples.
 HWY_INLINE void set_plane(
     const BlockVectors& normal, const BlockVectors& direction, float t, int sample, HitRun& run)
 {
@@ -137,10 +148,12 @@ HWY_INLINE void set_plane(
     const float towards = run.eye_side > 0 ? -1 / largest : 1 / largest;
     const glm::vec3 d(direction.x[sample], direction.y[sample], direction.z[sample]);
     const float height = -t * (glm::dot(n, d) * towards);
-    if (!(largest > 1e-30f && height > 1e-30f && height < 1e30f)) return; // known_run.h finds it
+    if (!(largest > 1e-30f && height > 1e-30f && height < 1e30f))
+        return; // known_run.h computes it later
     run.plane = glm::vec4(n * towards, height);
 }
 
+/// Finds the runs of a block and their planes. Returns their number.
 std::size_t find_runs(const HitPlaces& places, int block, const Facing& facing,
     const BlockVectors& direction, HitRun* next)
 {
@@ -162,10 +175,9 @@ std::size_t find_runs(const HitPlaces& places, int block, const Facing& facing,
     return std::size_t(next - first);
 }
 
-/// returns  the number of runs
+/// Shoots the rays of a tile and stores its hits and runs. Returns the number of runs.
 template <int kRays>
-std::size_t project_by_face(
-    const EmbreeTile& tile, const HitPlaces& places, EmbreeTileMemory& memory)
+std::size_t see_tile(const EmbreeTile& tile, const HitPlaces& places, EmbreeTileMemory& memory)
 {
     HitTile hits;
     hits.size = tile.size;
@@ -182,6 +194,7 @@ std::size_t project_by_face(
         const bool whole = left >= kBlock && above >= kBlock;
         Facing facing;
         facing.away = 0;
+        facing.lights = memory.side.span();
         facing.light = memory.facing.data() + block;
         facing.stride = std::size_t(blocks);
         const std::size_t at = std::size_t(block) * kBlockSamples;
@@ -189,7 +202,8 @@ std::size_t project_by_face(
             for (int k = 0; !whole && k < kRays; ++k)
                 packets.valid[k] = block_x(first + k) < left && block_y(first + k) < above ? -1 : 0;
             packets.cast(tile.scene, direction, first);
-            take<kRays>(packets.rays, tile, direction, first, at, places, memory, facing);
+            store_hits<kRays>(
+                packets.rays, tile.first_triangle, {at, first, direction}, places, facing);
         }
         if (!whole) std::fill_n(packets.valid, kRays, -1);
         runs += find_runs(places, block, facing, direction, places.run + runs);
@@ -199,8 +213,8 @@ std::size_t project_by_face(
 
 std::size_t see(const EmbreeTile& tile, const HitPlaces& places, EmbreeTileMemory& memory)
 {
-    return tile.packet == 16 ? project_by_face<16>(tile, places, memory)
-                             : project_by_face<8>(tile, places, memory);
+    return tile.packet == 16 ? see_tile<16>(tile, places, memory)
+                             : see_tile<8>(tile, places, memory);
 }
 
 } // namespace

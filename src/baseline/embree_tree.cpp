@@ -1,4 +1,5 @@
-// embree_tree.cpp - a bounding volume hierarchy over a posed world, brought up to date frame by frame.
+// embree_tree.cpp - Embree's bounding volume hierarchy of a posed world, which is updated frame by
+// frame.
 #include "baseline/embree_tree.h"
 
 #include <firsthit/error.h>
@@ -8,7 +9,8 @@
 namespace firsthit {
 namespace {
 
-/// Of the scene. Embree takes its two-level, refittable trees where this is low.
+/// The build quality of the scene. If it is low, Embree builds two-level trees that can be
+/// refitted.
 RTCBuildQuality scene_quality(BaselineUpdate update)
 {
     switch (update) {
@@ -16,7 +18,7 @@ RTCBuildQuality scene_quality(BaselineUpdate update)
         return RTC_BUILD_QUALITY_MEDIUM;
     case BaselineUpdate::rebuild_high:
         return RTC_BUILD_QUALITY_HIGH;
-    case BaselineUpdate::refit_parts:
+    case BaselineUpdate::refit_instances:
     case BaselineUpdate::refit:
     case BaselineUpdate::rebuild_low:
         break;
@@ -26,7 +28,7 @@ RTCBuildQuality scene_quality(BaselineUpdate update)
 
 RTCBuildQuality geometry_quality(BaselineUpdate update)
 {
-    const bool refit = update == BaselineUpdate::refit || update == BaselineUpdate::refit_parts;
+    const bool refit = update == BaselineUpdate::refit || update == BaselineUpdate::refit_instances;
     return refit ? RTC_BUILD_QUALITY_REFIT : scene_quality(update);
 }
 
@@ -52,14 +54,14 @@ EmbreeTree::~EmbreeTree()
     for (const Group& group : groups_) rtcReleaseGeometry(group.geometry);
 }
 
-void EmbreeTree::add(const World& world, std::size_t first_part, std::size_t last_part)
+void EmbreeTree::add(const World& world, std::size_t first_instance, std::size_t last_instance)
 {
-    const std::uint32_t first = scene_.parts[first_part].first_triangle;
-    const Part& last = scene_.parts[last_part - 1];
+    const std::uint32_t first = scene_.instances[first_instance].first_triangle;
+    const Instance& last = scene_.instances[last_instance - 1];
     const std::size_t count = std::size_t(last.first_triangle) + last.triangle_count - first;
     if (count == 0) return;
     RTCGeometry geometry = rtcNewGeometry(handles_.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    groups_.push_back({first_part, last_part, count, geometry});
+    groups_.push_back({first_instance, last_instance, count, geometry});
     first_triangle_.push_back(first);
     rtcSetGeometryBuildQuality(geometry, geometry_quality(update_));
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -77,12 +79,12 @@ void EmbreeTree::build(const World& world)
     for (std::size_t k = 0; k < groups_.size(); ++k) rtcDetachGeometry(handles_.scene, unsigned(k));
     groups_.clear();
     first_triangle_.clear();
-    positions_ = nullptr; // until all is well
-    parts_.assign(scene_.parts.size(), {});
-    if (update_ == BaselineUpdate::refit_parts)
-        for (std::size_t p = 0; p < scene_.parts.size(); ++p) add(world, p, p + 1);
-    else if (!scene_.parts.empty())
-        add(world, 0, scene_.parts.size());
+    positions_ = nullptr; // in case an error is thrown
+    instances_.assign(scene_.instances.size(), {});
+    if (update_ == BaselineUpdate::refit_instances)
+        for (std::size_t p = 0; p < scene_.instances.size(); ++p) add(world, p, p + 1);
+    else if (!scene_.instances.empty())
+        add(world, 0, scene_.instances.size());
     for (const Group& group : groups_) follow(world, group);
     rtcCommitScene(handles_.scene);
     handles_.check();
@@ -92,14 +94,14 @@ void EmbreeTree::build(const World& world)
 bool EmbreeTree::follow(const World& world, const Group& group)
 {
     bool moved = false;
-    for (std::size_t p = group.first_part; p < group.last_part; ++p) {
-        const Part& part = scene_.parts[p];
-        const bool changes_shape = part.deform || !part.morph.empty();
-        const PartState state{.matrix = world.node_matrix[part.node],
-            .visible = world.node_visible[part.node] != 0,
+    for (std::size_t p = group.first_instance; p < group.last_instance; ++p) {
+        const Instance& instance = scene_.instances[p];
+        const bool changes_shape = instance.changes_shape();
+        const InstanceState state{.matrix = world.node_matrix[instance.node],
+            .visible = world.node_visible[instance.node] != 0,
             .time_s = changes_shape ? world.time_s : 0};
-        if (state == parts_[p]) continue;
-        parts_[p] = state;
+        if (state == instances_[p]) continue;
+        instances_[p] = state;
         moved = true;
     }
     return moved;
@@ -107,7 +109,7 @@ bool EmbreeTree::follow(const World& world, const Group& group)
 
 void EmbreeTree::assume_moved()
 {
-    parts_.assign(scene_.parts.size(), {}); // no matrix is all 0
+    instances_.assign(scene_.instances.size(), {}); // no matrix is all 0
 }
 
 std::uint64_t EmbreeTree::update(const World& world)

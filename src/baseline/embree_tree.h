@@ -1,4 +1,5 @@
-// embree_tree.h - a bounding volume hierarchy over a posed world, brought up to date frame by frame.
+// embree_tree.h - Embree's bounding volume hierarchy of a posed world, which is updated frame by
+// frame.
 #pragma once
 
 #include "rays/embree_handles.h"
@@ -14,60 +15,68 @@
 
 namespace firsthit {
 
+/// Embree's device and scene for the worlds of one scene.
 class EmbreeTree {
   public:
-    /// threads  of building
+    /// scene    outlives this
+    /// threads  threads that build and update the tree
     /// throws   DeviceError
     EmbreeTree(const Scene& scene, BaselineUpdate update, int threads);
     ~EmbreeTree();
 
-    /// The tree over the world's triangles. world.position is read from here on, until the next
-    /// update: it has to stay where it is, with room for 4 bytes more behind its end.
+    /// Updates the tree for the world's triangles. The tree refers to world.position until the next
+    /// update: the vertices have to stay where they are, and 4 more bytes behind their end have to
+    /// be readable.
+    ///
     /// returns  the number of triangles that were updated
     /// throws   DeviceError
     std::uint64_t update(const World& world);
 
-    /// The next update takes every part as moved.
+    /// Makes the next update treat every instance as moved.
     void assume_moved();
 
+    /// For rays; valid after an update.
     RTCScene scene() const { return handles_.scene; }
 
     /// The widest packets of rays that Embree has instructions for here: 8 or 16.
     int widest_packet() const { return packet_; }
 
-    /// Triangle 0 of each geometry, as an item; null: there is one geometry.
+    /// (geometries) the item of triangle 0 of each geometry; null if there is only one geometry.
     const std::uint32_t* first_triangle() const
     {
         return first_triangle_.size() > 1 ? first_triangle_.data() : nullptr;
     }
 
   private:
-    /// Some parts that are updated together.
+    /// Consecutive instances that form one geometry, and are updated together.
     struct Group {
-        std::size_t first_part, last_part;
+        std::size_t first_instance, last_instance; // last_instance is not in the group
         std::uint64_t triangles;
         RTCGeometry geometry = nullptr;
     };
-    /// What a part's positions were made from.
-    struct PartState {
+    /// What the positions of an instance were computed from.
+    struct InstanceState {
         glm::dmat4 matrix{0.0};
         bool visible = false;
-        double time_s = 0; // of parts that change their shape, else 0
-        bool operator==(const PartState&) const = default;
+        double time_s = 0; // 0 for instances that do not change their shape
+        bool operator==(const InstanceState&) const = default;
     };
 
+    /// Builds the tree anew.
     void build(const World& world);
-    void add(const World& world, std::size_t first_part, std::size_t last_part);
-    /// Takes the parts' states from the world. Whether one of the group's has changed.
+    /// Adds a geometry of the instances [first_instance, last_instance).
+    void add(const World& world, std::size_t first_instance, std::size_t last_instance);
+    /// Copies the states of the group's instances from the world, and returns whether one has changed.
     bool follow(const World& world, const Group& group);
 
     const Scene& scene_;
     BaselineUpdate update_;
     EmbreeHandles handles_;
     std::vector<Group> groups_;
-    std::vector<PartState> parts_;
+    std::vector<InstanceState> instances_;
     std::vector<std::uint32_t> first_triangle_;
-    const void* positions_ = nullptr; // that the tree was built over; null: none
+    const void* positions_ =
+        nullptr; // the positions that the tree refers to; null before it is built
     int packet_ = 8;
 };
 

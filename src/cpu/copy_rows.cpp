@@ -1,4 +1,4 @@
-// copy_rows.cpp - a tile's planes, in the order of its samples, to rows of pixels.
+// copy_rows.cpp - copies planes of a tile, which are in tile order, to rows of pixels of the film.
 #include "cpu/copy_rows.h"
 
 #include "base/tile_order.h"
@@ -18,9 +18,12 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kQuad = 4; // pixels that lie side by side in the tile and in the row
+constexpr int kQuad = 4; // so many pixels are consecutive in the tile as well as in the row
 
-/// Four pixels.
+/// Copies four pixels.
+///
+/// from    a plane for each channel
+/// offset  of the first pixel in the planes
 template <int kChannels>
 HWY_INLINE void copy_quad(const float* const* from, std::size_t offset, float* to)
 {
@@ -39,7 +42,7 @@ HWY_INLINE void copy_quad(const float* const* from, std::size_t offset, float* t
     }
 }
 
-/// Four pixels past the caches; `to` is aligned to 16 bytes.
+/// Copies four pixels past the caches. `to` is aligned to 16 bytes.
 template <int kChannels>
 HWY_INLINE void stream_quad(const float* const* from, std::size_t offset, float* to)
 {
@@ -51,10 +54,11 @@ HWY_INLINE void stream_quad(const float* const* from, std::size_t offset, float*
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// Three channels of 16 pixels, each in a register, become three registers of pixels.
+/// Indices for _mm512_permutex2var_ps that interleave three channels of 16 pixels, each in a
+/// register, to three registers of pixels.
 struct PixelOrder {
-    alignas(64) std::int32_t first_two[3][16]; // out of channels 0 and 1
-    alignas(64) std::int32_t third[3][16];     // out of that and channel 2
+    alignas(64) std::int32_t first_two[3][16]; // merge channels 0 and 1
+    alignas(64) std::int32_t third[3][16];     // merge the result and channel 2
 };
 
 constexpr PixelOrder kPixelOrder = [] {
@@ -67,8 +71,10 @@ constexpr PixelOrder kPixelOrder = [] {
     return order;
 }();
 
-/// 16 pixels past the caches, whole lines; `to` is aligned to 64 bytes.
-/// quad  offsets of their quads in the tile
+/// Copies 16 pixels of three channels past the caches, as whole cache lines. `to` is aligned to 64
+/// bytes.
+///
+/// quad  offsets of four pixels each in the planes
 HWY_INLINE void stream_lines(const float* const* from, const std::size_t (&quad)[4], float* to)
 {
     const auto row = [&](const float* plane) {
@@ -88,17 +94,24 @@ HWY_INLINE void stream_lines(const float* const* from, const std::size_t (&quad)
 }
 #endif
 
+/// The first pixel of the rectangle's row y.
+HWY_INLINE float* first_in_row(const PixelRect& rect, int y, int channels, const FilmRows& rows)
+{
+    const auto pixel =
+        std::size_t(rect.film_y + y) * std::size_t(rows.width) + std::size_t(rect.film_x);
+    return rows.value + pixel * std::size_t(channels);
+}
+
 template <int kChannels>
-void copy_channels(const PixelRect& rect, int film_width, int tile_size, const float* const* from,
-    float* to, bool stream)
+void copy_channels(
+    const PixelRect& rect, int tile_size, const float* const* from, const FilmRows& to)
 {
     for (int y = 0; y < rect.height; ++y) {
-        const auto pixel =
-            std::size_t(rect.film_y + y) * std::size_t(film_width) + std::size_t(rect.film_x);
-        float* film = to + pixel * kChannels;
+        float* film = first_in_row(rect, y, kChannels, to);
         const auto offset = [&](int x) { return std::size_t(tile_offset(x, y, tile_size)); };
-        // Lines that neighbouring tiles share are written in part: still faster than fetching them.
-        const bool past = stream && reinterpret_cast<std::uintptr_t>(film) % 16 == 0;
+        // Cache lines that neighbouring tiles share are written in part, which is still faster than
+        // loading them.
+        const bool past = to.stream && reinterpret_cast<std::uintptr_t>(film) % 16 == 0;
         int x = 0;
         for (; x + kQuad <= rect.width; x += kQuad, film += kQuad * kChannels) {
 #if HWY_TARGET == HWY_AVX3
@@ -122,39 +135,37 @@ void copy_channels(const PixelRect& rect, int film_width, int tile_size, const f
         for (; x < rect.width; ++x)
             for (int c = 0; c < kChannels; ++c) *film++ = from[c][offset(x)];
     }
-    if (stream) hwy::FlushStream(); // other threads see it in its turn
+    if (to.stream) hwy::FlushStream(); // orders it before what other threads are told later
 }
 
-void copy(const PixelRect& rect, int film_width, int tile_size, std::span<const float* const> from,
-    float* to, bool stream)
+void copy(
+    const PixelRect& rect, int tile_size, std::span<const float* const> from, const FilmRows& to)
 {
     switch (from.size()) {
     case 1:
-        return copy_channels<1>(rect, film_width, tile_size, from.data(), to, stream);
+        return copy_channels<1>(rect, tile_size, from.data(), to);
     case 2:
-        return copy_channels<2>(rect, film_width, tile_size, from.data(), to, stream);
+        return copy_channels<2>(rect, tile_size, from.data(), to);
     default:
-        return copy_channels<3>(rect, film_width, tile_size, from.data(), to, stream);
+        return copy_channels<3>(rect, tile_size, from.data(), to);
     }
 }
 
-void fill(const PixelRect& rect, int film_width, const glm::vec3& color, float* to, bool stream)
+void fill(const PixelRect& rect, const glm::vec3& color, const FilmRows& to)
 {
     const hn::CappedTag<float, kQuad> d;
     alignas(16) float quad[kQuad * 3];
     for (int k = 0; k < kQuad * 3; ++k) quad[k] = color[k % 3];
     for (int y = 0; y < rect.height; ++y) {
-        const auto pixel =
-            std::size_t(rect.film_y + y) * std::size_t(film_width) + std::size_t(rect.film_x);
-        float* film = to + pixel * 3;
-        const bool past = stream && reinterpret_cast<std::uintptr_t>(film) % 16 == 0;
+        float* film = first_in_row(rect, y, 3, to);
+        const bool past = to.stream && reinterpret_cast<std::uintptr_t>(film) % 16 == 0;
         int x = 0;
         for (; past && x + kQuad <= rect.width; x += kQuad, film += kQuad * 3)
             for (std::size_t k = 0; k < kQuad * 3; k += hn::Lanes(d))
                 hn::Stream(hn::Load(d, quad + k), d, film + k);
         for (; x < rect.width; ++x, film += 3) std::copy_n(quad, 3, film);
     }
-    if (stream) hwy::FlushStream();
+    if (to.stream) hwy::FlushStream();
 }
 
 } // namespace HWY_NAMESPACE
@@ -167,16 +178,15 @@ namespace firsthit {
 HWY_EXPORT(copy);
 HWY_EXPORT(fill);
 
-void copy_rows(const PixelRect& rect, int film_width, int tile_size,
-    std::span<const float* const> from, float* to, bool stream)
+void copy_rows(
+    const PixelRect& rect, int tile_size, std::span<const float* const> from, const FilmRows& to)
 {
-    HWY_DYNAMIC_DISPATCH(copy)(rect, film_width, tile_size, from, to, stream);
+    HWY_DYNAMIC_DISPATCH(copy)(rect, tile_size, from, to);
 }
 
-void fill_rows(
-    const PixelRect& rect, int film_width, const glm::vec3& color, float* to, bool stream)
+void fill_rows(const PixelRect& rect, const glm::vec3& color, const FilmRows& to)
 {
-    HWY_DYNAMIC_DISPATCH(fill)(rect, film_width, color, to, stream);
+    HWY_DYNAMIC_DISPATCH(fill)(rect, color, to);
 }
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// copy_rows.h - a tile's planes, in the order of its samples, to rows of pixels.
+// copy_rows.h - copies planes of a tile, which are in tile order, to rows of pixels of the film.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,26 +8,30 @@
 
 namespace firsthit {
 
-/// The tile's pixels inside the picture.
+/// The pixels of a tile that lie inside the film.
 struct PixelRect {
-    int film_x, film_y; // of the first pixel, in the film
-    int width, height;  // pixels
+    int film_x, film_y; // the first pixel, in the film
+    int width, height;  // in pixels
 };
 
-/// Copies the rectangle's pixels, from the tile's first one on; their bits, whatever they mean.
-///
-/// film_width  pixels
-/// tile_size   pixels on a side
-/// from        a plane in tile order for each of 1 to 3 channels, aligned to 64 bytes
-/// to          (height, film_width, channels), aligned to 4 bytes
-/// stream      past the caches, rows that are aligned to 16 bytes: where the film is larger than
-///             the caches, it would only push out of them what the next tile needs
-void copy_rows(const PixelRect& rect, int film_width, int tile_size,
-    std::span<const float* const> from, float* to, bool stream);
+/// The rows of one plane of the film.
+struct FilmRows {
+    float* value; // (height, width, channels), aligned to 4 bytes
+    int width;    // pixels in a row
+    /// Whether rows that are aligned to 16 bytes are written past the caches. This is faster if the
+    /// plane is larger than the caches: it would only displace what the next tile needs.
+    bool stream;
+};
 
-/// Gives all pixels of the rectangle the same colour; see copy_rows.
-/// to  (height, film_width, 3)
-void fill_rows(
-    const PixelRect& rect, int film_width, const glm::vec3& color, float* to, bool stream);
+/// Copies the pixels of the rectangle. The floats are copied bit by bit, whatever they mean.
+///
+/// tile_size  pixels on a side of the tile; the rectangle begins at the tile's first pixel
+/// from       1 to 3 planes of the tile, one for each channel, in tile order (base/tile_order.h);
+///            each is aligned to 64 bytes
+void copy_rows(
+    const PixelRect& rect, int tile_size, std::span<const float* const> from, const FilmRows& to);
+
+/// Gives all pixels of the rectangle the same colour, in a plane with 3 channels.
+void fill_rows(const PixelRect& rect, const glm::vec3& color, const FilmRows& to);
 
 } // namespace firsthit

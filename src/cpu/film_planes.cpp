@@ -1,5 +1,7 @@
-// film_planes.cpp - from tiles of samples to the planes of the film.
+// film_planes.cpp - stores tiles of samples in the planes of the film.
 #include "cpu/film_planes.h"
+
+#include "cpu/adaptive/pixel_marks.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +17,9 @@ bool contains(std::span<const Aov> aovs, Aov wanted)
     return std::find(aovs.begin(), aovs.end(), wanted) != aovs.end();
 }
 
-/// Calls f(pixel in the film, offset in the tile, count) for runs of 4 pixels of a row, or fewer at
-/// the picture's edge; samples = 1. count is a constant 4 in all calls but the last of a row.
+/// Calls f(pixel in the film, offset in the tile, count) for each four pixels of a row, or fewer at
+/// the end of the row. Each pixel is one sample. `count` is a constant 4 except in the last call of
+/// a row.
 template <class F>
 void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
 {
@@ -30,17 +33,19 @@ void for_quads(const PixelRect& rect, int film_width, int tile_size, const F& f)
     }
 }
 
-/// Films that do not fit into a core's share of the caches go past them.
+/// Larger planes do not fit into a core's share of the caches, and are written past them.
 constexpr std::size_t kCachedBytes = std::size_t(4) << 20;
 
+/// Copies channels of the tile to a plane of the film.
 void copy_plane(const PixelRect& rect, const Film& film, int tile_size,
     std::span<const float* const> from, float* to)
 {
     const std::size_t bytes =
         std::size_t(film.width) * std::size_t(film.height) * from.size() * sizeof(float);
-    copy_rows(rect, film.width, tile_size, from, to, bytes > kCachedBytes);
+    copy_rows(rect, tile_size, from, {to, film.width, bytes > kCachedBytes});
 }
 
+/// offset  of the sample in the tile
 bool is_hole(const TilePlace& place, int offset)
 {
     return place.holes[std::size_t(offset) / kBlockSamples] >> offset % kBlockSamples & 1;
@@ -57,10 +62,11 @@ void for_samples(const TilePlace& place, int x, int y, const F& f)
 {
     const int n = place.samples;
     for (int sy = 0; sy < n; ++sy)
-        for (int sx = 0; sx < n; ++sx) f(tile_offset(x * n + sx, y * n + sy, place.view.tile_size));
+        for (int sx = 0; sx < n; ++sx)
+            f(tile_offset(x * n + sx, y * n + sy, place.layout.tile_size));
 }
 
-/// Where a pixel has holes and other samples: the mean colour of the others.
+/// Stores the mean colour of the samples that are no holes, for pixels with samples of both kinds.
 void average_without_holes(const PixelRect& rect, const TilePlace& place,
     const std::array<const float*, 3>& from, Film& film)
 {
@@ -82,18 +88,20 @@ void average_without_holes(const PixelRect& rect, const TilePlace& place,
     }
 }
 
-/// The mean colour of each pixel's samples.
+/// Stores the mean colour of each pixel's samples.
 void average_color(const PixelRect& rect, const TilePlace& place,
     const std::array<const float*, 3>& from, Film& film)
 {
     const int n = place.samples;
     const float share = 1.0f / float(n * n);
+    const int x0 = rect.film_x + place.region.x, y0 = rect.film_y + place.region.y;
     for (int y = 0; y < rect.height; ++y) {
         for (int x = 0; x < rect.width; ++x) {
+            if (place.only && !place.only->has(x0 + x, y0 + y)) continue;
             float sum[3] = {};
             for (int sy = 0; sy < n; ++sy) {
                 for (int sx = 0; sx < n; ++sx) {
-                    const int offset = tile_offset(x * n + sx, y * n + sy, place.view.tile_size);
+                    const int offset = tile_offset(x * n + sx, y * n + sy, place.layout.tile_size);
                     for (std::size_t c = 0; c < 3; ++c) sum[c] += from[c][offset];
                 }
             }
@@ -104,7 +112,7 @@ void average_color(const PixelRect& rect, const TilePlace& place,
     }
 }
 
-/// Euclidean distances from depths along the axis.
+/// Stores the distances from the eye, computed from depths along the axis.
 ///
 /// shear  Pencil::shear
 void store_distance(
@@ -126,7 +134,7 @@ void store_distance(
     });
 }
 
-/// The share of each light where there is an item, else 0.
+/// Stores the share of each light that reaches the samples; 0 for samples without an item.
 void store_lit(const PixelRect& rect, const HitTile& hits, const LightVisibility& lit,
     int film_width, Plane& to)
 {
@@ -142,7 +150,7 @@ void store_lit(const PixelRect& rect, const HitTile& hits, const LightVisibility
     }
 }
 
-/// Planes that come from the hit itself.
+/// Stores the planes that are parts of the hits.
 void store_hits(const PixelRect& rect, const HitTile& hits, const Pencil& pencil, Film& film)
 {
     if (!film.item.empty()) {
@@ -166,17 +174,20 @@ void store_hits(const PixelRect& rect, const HitTile& hits, const Pencil& pencil
 
 PixelRect pixels_of(const TilePlace& place)
 {
-    const int side = place.view.tile_size / place.samples;
-    const int x = place.tile % place.view.tiles_x * side,
-              y = place.tile / place.view.tiles_x * side;
+    const int side = place.layout.tile_size / place.samples; // in pixels
+    const int x = place.layout.first_x(place.tile) / place.samples,
+              y = place.layout.first_y(place.tile) / place.samples;
     return {place.part.x - place.region.x + x, place.part.y - place.region.y + y,
         std::min(side, place.part.width - x), std::min(side, place.part.height - y)};
 }
 
+/// Of all targets: floats of a sample.
+constexpr std::size_t kShadedPlanes = 22;
+
 void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov> aovs)
 {
     const std::size_t samples = std::size_t(tile_size) * std::size_t(tile_size);
-    memory.plane.resize(samples * 17);
+    memory.plane.resize(samples * kShadedPlanes);
     float* next = memory.plane.data();
     const auto point = [&](auto& planes, bool wanted) {
         for (float*& plane : planes) {
@@ -191,6 +202,8 @@ void resize(ShadeMemory& memory, int tile_size, bool color, std::span<const Aov>
     point(targets.geometric_normal, contains(aovs, Aov::geometric_normal));
     point(targets.position, contains(aovs, Aov::position));
     point(targets.albedo, contains(aovs, Aov::albedo));
+    point(targets.metallic_roughness, contains(aovs, Aov::metallic_roughness));
+    point(targets.emission, contains(aovs, Aov::emission));
 }
 
 void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibility& lit,
@@ -205,7 +218,7 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibili
     };
     if (place.samples == 1) {
         copy_shaded(shaded.color, film.color);
-        store_hits(rect, hits, place.view.pencil, film);
+        store_hits(rect, hits, place.layout.pencil, film);
         if (!film[Aov::lit].empty()) store_lit(rect, hits, lit, film.width, film[Aov::lit]);
     } else if (shaded.color[0]) {
         const std::array<const float*, 3> color{shaded.color[0], shaded.color[1], shaded.color[2]};
@@ -217,13 +230,15 @@ void store_tile(const TilePlace& place, const HitTile& hits, const LightVisibili
     copy_shaded(shaded.geometric_normal, film[Aov::geometric_normal]);
     copy_shaded(shaded.position, film[Aov::position]);
     copy_shaded(shaded.albedo, film[Aov::albedo]);
+    copy_shaded(shaded.metallic_roughness, film[Aov::metallic_roughness]);
+    copy_shaded(shaded.emission, film[Aov::emission]);
 }
 
 void store_background(const TilePlace& place, const glm::vec3& background, Film& film)
 {
     const std::size_t bytes = film.color.value.size() * sizeof(float);
     fill_rows(
-        pixels_of(place), film.width, background, film.color.value.data(), bytes > kCachedBytes);
+        pixels_of(place), background, {film.color.value.data(), film.width, bytes > kCachedBytes});
 }
 
 void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> mask)
@@ -231,8 +246,8 @@ void mark_holes(const TilePlace& place, int film_width, std::span<std::uint8_t> 
     const PixelRect rect = pixels_of(place);
     const bool any = has_holes(place);
     if (any && place.samples == 1) {
-        for_quads(
-            rect, film_width, place.view.tile_size, [&](std::size_t pixel, int offset, auto count) {
+        for_quads(rect, film_width, place.layout.tile_size,
+            [&](std::size_t pixel, int offset, auto count) {
                 const std::uint64_t bits =
                     place.holes[std::size_t(offset) / kBlockSamples] >> offset % kBlockSamples;
                 for (int k = 0; k < count; ++k) mask[pixel + std::size_t(k)] = bits >> k & 1;
@@ -253,7 +268,8 @@ std::uint64_t count_hits(const HitTile& hits)
     std::uint64_t count = 0;
     if (hits.covered) {
         for (std::size_t block = 0; block < hits.blocks(); ++block) {
-            // Mostly all or none: without a call of popcount, which is one where x86 is of 2003.
+            // Mostly all samples are covered, or none. These cases need no popcount, which is a
+            // function call where the compiler may not use the instruction.
             const std::uint64_t covered = hits.covered[block];
             if (covered == ~std::uint64_t(0))
                 count += kBlockSamples;

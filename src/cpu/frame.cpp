@@ -1,11 +1,13 @@
-// frame.cpp - the cpu engine: a picture from a posed world, tile by tile.
+// frame.cpp - the frame of the cpu engine: renders a posed world tile by tile.
 #include "cpu/frame.h"
 
 #include "base/stopwatch.h"
+#include "cpu/adaptive/adaptive_frame.h"
+#include "cpu/adaptive/edge_finder.h"
+#include "cpu/adaptive/pixel_marks.h"
 #include "cpu/film_planes.h"
 #include "cpu/tile_stages.h"
 #include "film/film_size.h"
-#include "visibility/raster/raster_tile.h"
 
 #include <algorithm>
 #include <array>
@@ -13,29 +15,57 @@
 namespace firsthit {
 namespace {
 
-/// Lays out the part's rays, tiles and memory, and has its items begun.
-/// returns  whether the part is small enough
+/// Samples of marked tiles whose hits are kept at once, and as many of one tile.
+constexpr std::size_t kMarkedSamples = std::size_t(1) << 22;
+
+/// Finds the part's blocks and tiles that hold marked pixels. Returns whether the tiles are not too
+/// many.
+bool find_marked(const FramePart& part)
+{
+    FrameMemory& memory = part.memory;
+    ViewMemory& view = memory.view;
+    const int n = part.pass.samples;
+    wanted_blocks(*part.pass.only, {part.pixels.x * n, part.pixels.y * n}, view, memory.wanted,
+        memory.marked);
+    view.wanted = &memory.wanted;
+    return memory.marked.size() <= 1 ||
+           memory.marked.size() * std::size_t(view.tile_size * view.tile_size) <= kMarkedSamples;
+}
+
+/// The tiles of a part that are rendered.
+std::size_t tiles_of(const FramePart& part)
+{
+    return part.pass.only ? part.memory.marked.size() : std::size_t(part.memory.view.tiles());
+}
+
+/// Lays out the part's rays and tiles, starts its items and prepares the memory of its tiles.
+/// returns  false if the part is too large
 bool begin_part(const FramePart& part)
 {
     const FrameContext& frame = part.frame;
     const PassPlan& pass = part.pass;
     FrameMemory& memory = part.memory;
     lay_out(pencil_of(frame.view, part.pixels, pass.samples), pass.tile_size, memory.view);
+    if (pass.only && !find_marked(part)) return false;
+    const std::size_t tiles = tiles_of(part);
+    if (tiles == 0) return true;
     if (!part.items.start(frame.world, memory.view, frame.tasks)) return false;
-    const auto tiles = std::size_t(memory.view.tiles());
-    const std::size_t kept = pass.shadows ? tiles : std::size_t(frame.tasks.threads());
+    const std::size_t kept = pass.keeps_hits() ? tiles : std::size_t(frame.tasks.threads());
     resize(memory.hits, pass.tile_size, kept);
     resize(memory.holes, pass.tile_size, kept);
     memory.hits.items = pass.keeps_items;
     memory.hits.misses = pass.keeps_misses;
-    if (pass.shadows) {
-        memory.tiles.resize(tiles);
+    if (pass.keeps_hits()) memory.tiles.resize(tiles);
+    if (pass.shadows)
         start_light_visibility(frame.world, part.plan.shadows(), tiles, memory.lit, frame.tasks);
-    }
+    else if (pass.sky)
+        start_tile_occlusion(frame.world, tiles, memory.lit.tile_occlusion, frame.tasks);
     return true;
 }
 
-/// The part cut in two between tiles, across its longer side.
+/// Divides the part between two rows or columns of tiles, across its longer side.
+///
+/// tile_pixels  pixels on a side of a tile
 std::array<Region, 2> halves(const Region& part, int tile_pixels)
 {
     Region first = part, second = part;
@@ -52,6 +82,7 @@ std::array<Region, 2> halves(const Region& part, int tile_pixels)
     return {first, second};
 }
 
+/// The work of one loop over a tile, as FramePlan::work counts it.
 std::uint64_t tile_work(const FramePart& part, std::size_t tile)
 {
     const PixelRect rect = pixels_of(
@@ -59,53 +90,88 @@ std::uint64_t tile_work(const FramePart& part, std::size_t tile)
     return part.pass.samples_of({0, 0, rect.width, rect.height});
 }
 
-/// Calls body(tile, worker) for all tiles, as their items become ready.
+/// The number in its part of the tile that is rendered as number k.
+std::size_t tile_number(const FramePart& part, std::size_t k)
+{
+    return part.pass.only ? part.memory.marked[k] : k;
+}
+
+/// Calls body(tile, k, worker) for the tiles that are rendered, counted by k, as their items become
+/// ready.
 template <class Body>
 void for_ready_tiles(const FramePart& part, const Body& body)
 {
-    const auto tiles = std::size_t(part.memory.view.tiles());
+    const std::size_t tiles = tiles_of(part);
     for (std::size_t done = 0; done < tiles;) {
-        const std::size_t ready = part.items.wait(part.memory.view);
+        const std::size_t ready = part.pass.only ? tiles : part.items.wait(part.memory.view);
         part.frame.tasks.for_each(ready - done, [&](std::size_t k, std::size_t worker) {
-            body(done + k, worker);
-            part.frame.add(tile_work(part, done + k), worker);
+            const std::size_t tile = tile_number(part, done + k);
+            body(tile, done + k, worker);
+            part.frame.add(tile_work(part, tile), worker);
         });
         done = ready;
     }
 }
 
-/// Each tile from its items to its colours while it is in cache.
+/// Takes each tile from its items to its colours while it is in cache.
 void render_tiles(const FramePart& part)
 {
-    for_ready_tiles(part, [&](std::size_t tile, std::size_t worker) {
+    for_ready_tiles(part, [&](std::size_t tile, std::size_t, std::size_t worker) {
         const TileTurn turn{tile, worker, worker};
         find_items(part, turn);
         shade_and_store(part, turn, find_hits(part, turn), {});
     });
 }
 
-/// All tiles' hits are kept until the lights' shadows on them are known.
+/// Records a tile's hits for the stages between.
+void add_hits(const FramePart& part, std::size_t tile, std::size_t worker)
+{
+    FrameMemory& memory = part.memory;
+    if (part.pass.shadows)
+        add_light_visibility_hits(memory.tiles[tile], tile, memory.lit, worker);
+    else if (memory.lit.tile_occlusion.has_occluders())
+        add_hits(memory.tiles[tile], tile, memory.lit.tile_occlusion);
+}
+
+/// Finds which directions of the sky the hits of all tiles see.
+void find_sky(const FramePart& part)
+{
+    const FrameContext& frame = part.frame;
+    const Camera& camera = frame.view.camera;
+    TileOcclusion& occlusion = part.memory.lit.tile_occlusion;
+    const SeenTiles seen{frame.world, camera.eye, part.memory.tiles,
+        occlusion.has_occluders() ? &occlusion : nullptr};
+    find_sky_visibility(
+        {seen, part.plan.sky(), camera.up, {frame.progress, part.pass.samples_of(part.pixels)}},
+        part.memory.lit.exact, part.memory.sky, frame.tasks);
+}
+
+/// Keeps the hits of all tiles until it is known which lights reach them, then shades the tiles.
 void render_tiles_in_shadow(const FramePart& part, Stats& stats)
 {
     const FrameContext& frame = part.frame;
     FrameMemory& memory = part.memory;
-    for_ready_tiles(part, [&](std::size_t tile, std::size_t worker) {
-        const TileTurn turn{tile, tile, worker};
+    for_ready_tiles(part, [&](std::size_t tile, std::size_t k, std::size_t worker) {
+        const TileTurn turn{tile, k, worker};
         find_items(part, turn);
-        memory.tiles[tile] = find_hits(part, turn);
-        add_light_visibility_hits(memory.tiles[tile], tile, memory.lit, worker);
+        memory.tiles[k] = find_hits(part, turn);
+        add_hits(part, k, worker);
     });
     Stopwatch watch;
-    find_light_visibility(frame, memory.tiles, memory.lit, part.pass.samples_of(part.pixels));
+    if (part.pass.shadows)
+        find_light_visibility(frame, memory.tiles, memory.lit, part.pass.samples_of(part.pixels));
     stats.shadow_ms += watch.lap_ms();
-    frame.tasks.for_each(memory.tiles.size(), [&](std::size_t tile, std::size_t worker) {
-        const TileTurn turn{tile, tile, worker};
+    if (part.pass.sky) find_sky(part);
+    frame.tasks.for_each(memory.tiles.size(), [&](std::size_t k, std::size_t worker) {
+        const std::size_t tile = tile_number(part, k);
+        const TileTurn turn{tile, k, worker};
         const LightVisibility lit = light_visibility(part, turn);
-        shade_and_store(part, turn, memory.tiles[tile], lit);
+        shade_and_store(part, turn, memory.tiles[k], lit);
         frame.add(tile_work(part, tile), worker);
     });
 }
 
+/// Renders a part of the picture, or its two halves if it is too large.
 void render_part(const FramePart& part, Stats& stats)
 {
     Stopwatch watch;
@@ -117,15 +183,17 @@ void render_part(const FramePart& part, Stats& stats)
             render_part({part.frame, part.plan, part.pass, part.items, part.memory, half}, stats);
         return;
     }
-    if (part.pass.shadows)
+    if (tiles_of(part) == 0) return;
+    if (part.pass.keeps_hits())
         render_tiles_in_shadow(part, stats);
     else
         render_tiles(part);
     stats.in_view += part.memory.view.in_view_count;
     stats.tile_entries += part.memory.view.entry_count;
+    if (part.pass.edges) part.pass.edges->find_touched(part.pixels, part.memory.view);
 }
 
-/// Prepares every worker's tile memory, and the marks of holes.
+/// Prepares the memory of every worker, and the mask of holes.
 void prepare(const FrameContext& frame, const PassPlan& pass, FrameMemory& memory)
 {
     const std::size_t lights = frame.world.lights.size();
@@ -135,6 +203,9 @@ void prepare(const FrameContext& frame, const PassPlan& pass, FrameMemory& memor
         resize(worker->items, pass.tile_size);
         resize(worker->shade, pass.tile_size, pass.color, pass.aovs);
         if (pass.packing) resize(worker->packed, pass.tile_size, lights);
+        if (pass.only)
+            worker->wanted.resize(
+                std::size_t(pass.tile_size) * std::size_t(pass.tile_size) / kBlockSamples);
         if (pass.shadows)
             worker->lit.resize(lights * std::size_t(pass.tile_size) * std::size_t(pass.tile_size));
     }
@@ -143,7 +214,7 @@ void prepare(const FrameContext& frame, const PassPlan& pass, FrameMemory& memor
         memory.holes.pixel.resize(std::size_t(region.width) * std::size_t(region.height));
 }
 
-/// Moves the workers' times and counts to the statistics.
+/// Adds the workers' times and counts to the statistics and sets them to 0.
 void collect(FrameMemory& memory, int threads, Stats& stats)
 {
     for (const auto& worker : memory.workers) {
@@ -161,6 +232,7 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
         worker->hit_count = worker->missed_count = 0;
     }
     add_light_visibility_stats(memory.lit, stats);
+    add_sky_stats(memory.sky, stats);
 }
 
 } // namespace
@@ -168,14 +240,28 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
 void render_frame(const FrameContext& frame, const Settings& settings, FrameMemory& memory,
     Stats& stats, const FrameSources& sources)
 {
+    if (wants_edges(settings) && !sources.edges && !sources.only)
+        render_adaptively(frame, settings, memory, stats, sources);
+    else if (has_layers(frame.world, settings))
+        render_layers(frame, settings, memory, stats, sources);
+    else
+        render_surfaces(frame, settings, memory, stats, sources);
+}
+
+void render_surfaces(const FrameContext& frame, const Settings& settings, FrameMemory& memory,
+    Stats& stats, const FrameSources& sources)
+{
     const Region& all = frame.view.region;
     const std::size_t lights = frame.world.lights.size();
     ItemSource& items = sources.items ? *sources.items : memory.raster;
     memory.lit.map_maker = sources.maps;
-    const FramePlan plan(settings, lights, &items == &memory.raster); // ours have no holes
-    resize(frame.film, all, {settings.color, settings.aovs, lights});
-    Stats given_up; // of a frame that was cancelled
-    collect(memory, 1, given_up);
+    // The rasteriser has no holes.
+    const FramePlan plan(settings, lights, &items == &memory.raster, sources);
+    if (!sources.only || settings.samples == 1)
+        resize(frame.film, all, {settings.color, settings.aovs, lights});
+    // Times and counts that a cancelled frame left behind do not count.
+    Stats cancelled;
+    collect(memory, 1, cancelled);
     frame.begin(plan.work(all));
     for (const PassPlan& pass : plan.passes()) {
         prepare(frame, pass, memory);
@@ -186,6 +272,7 @@ void render_frame(const FrameContext& frame, const Settings& settings, FrameMemo
                                 {all.x + x, all.y + y, std::min(side, all.width - x),
                                     std::min(side, all.height - y)}},
                     stats);
+        if (pass.edges) pass.edges->find_neighbours(memory.view);
         if (!pass.fill) continue;
         Stopwatch watch;
         stats.interpolated += interpolate_holes(memory.holes, frame.tasks, frame.film);

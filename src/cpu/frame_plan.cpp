@@ -1,7 +1,9 @@
-// frame_plan.cpp - which stages a frame of the cpu engine runs, and what is kept between them.
+// frame_plan.cpp - plans which stages a frame of the cpu engine runs, and what is kept between
+// them.
 #include "cpu/frame_plan.h"
 
 #include "base/tile_order.h"
+#include "cpu/frame.h"
 #include "exact/pencil.h"
 
 #include <algorithm>
@@ -10,12 +12,13 @@
 namespace firsthit {
 namespace {
 
-/// Samples on the side of a part whose hits are kept for the lights: 100 MB, and 400 MB, so that
-/// maps are seldom made for parts.
+/// Samples on a side of a part whose hits are kept for the lights. They take 100 MB for exact
+/// shadows and 400 MB for shadow maps, which have larger parts so that a map is seldom made several
+/// times.
 constexpr int kExactSide = 2048;
 constexpr int kMapSide = 4096;
 
-/// Samples on a tile's side: whole blocks and whole pixels.
+/// The number of samples on a side of a tile: about tile_size, but whole blocks and whole pixels.
 int tile_samples(int tile_size, int samples)
 {
     const int step = std::lcm(kBlock, samples);
@@ -24,23 +27,28 @@ int tile_samples(int tile_size, int samples)
 
 } // namespace
 
-FramePlan::FramePlan(const Settings& settings, std::size_t lights, bool exact_items)
-    : shadows_(settings)
+FramePlan::FramePlan(
+    const Settings& settings, std::size_t lights, bool exact_items, const FrameSources& sources)
+    : shadows_(settings),
+      sky_(settings.sky)
 {
     if (settings.interleave > 1) packing_.emplace(settings.interleave);
     const std::span<const Aov> planes = settings.aovs;
     const bool shadows = settings.shadows != Shadows::none && lights > 0;
     const bool lit = std::find(planes.begin(), planes.end(), Aov::lit) != planes.end();
-    // Planes are of the ray through the pixel's centre, every pixel's: with several samples, or
-    // not all pixels, they are a second pass.
+    // Planes show what the ray through the centre of every pixel sees. If pixels have several
+    // samples, or not all pixels are shot for colour, planes are made in a second pass.
     const bool together = settings.samples == 1 && settings.interleave == 1;
     if (settings.color || together)
         add({.samples = settings.samples,
                 .color = settings.color,
                 .aovs = together ? planes : std::span<const Aov>(),
                 .shadows = shadows && (settings.color || lit),
+                .sky = settings.color && sky_.directions > 0,
                 .packing = packing_ ? &*packing_ : nullptr,
-                .fill = settings.color && settings.interpolate && (packing_ || !exact_items)},
+                .fill = settings.color && settings.interpolate && (packing_ || !exact_items),
+                .edges = settings.color ? sources.edges : nullptr,
+                .only = sources.only},
             settings.tile_size);
     if (!together && !planes.empty())
         add({.color = false, .aovs = planes, .shadows = shadows && lit}, settings.tile_size);
@@ -50,11 +58,13 @@ void FramePlan::add(PassPlan pass, int tile_size)
 {
     const bool by_map = shadows_.shadows == Shadows::map;
     pass.tile_size = tile_samples(tile_size, pass.samples);
-    pass.keeps_misses = !pass.aovs.empty();
-    pass.keeps_items = pass.keeps_misses || (pass.shadows && !by_map);
-    // Parts small enough for the boxes' and tiles' integers.
+    pass.keeps_misses = !pass.aovs.empty() || pass.edges;
+    pass.keeps_items = pass.keeps_misses || (pass.shadows && !by_map) || pass.sky;
+    // Limits of the integers in InView and TileLayout::tile_of.
     int side = std::min(kMaxPencil, 255 * pass.tile_size);
-    if (pass.shadows) side = std::min(side, by_map ? kMapSide : kExactSide);
+    // Of marked pixels few hits are kept; a part with many is halved.
+    if (pass.keeps_hits() && !pass.only)
+        side = std::min(side, by_map && !pass.sky ? kMapSide : kExactSide);
     pass.part_side = side / pass.tile_size * pass.tile_size / pass.samples;
     pass_[count_++] = pass;
 }

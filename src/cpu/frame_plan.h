@@ -1,4 +1,4 @@
-// frame_plan.h - which stages a frame of the cpu engine runs, and what is kept between them.
+// frame_plan.h - plans which stages a frame of the cpu engine runs, and what is kept between them.
 #pragma once
 
 #include "cpu/packed_tile.h"
@@ -14,25 +14,37 @@
 
 namespace firsthit {
 
-/// One pass over the picture: which rays are shot, and what is kept of them.
-struct PassPlan {
-    int samples = 1;           // on a pixel's side
-    int tile_size = 64;        // samples on a side: whole blocks and whole pixels
-    int part_side = 0;         // pixels on the side of a part, at most: whole tiles
-    bool color = true;         // is shaded; else only planes are made
-    std::span<const Aov> aovs; // planes
-    bool shadows = false; // are found: all tiles' hits are kept for the lights; else each tile is
-                          // finished while it is in cache
-    bool keeps_items = false;         // of the hits, see HitMemory::items
-    bool keeps_misses = false;        // and HitMemory::misses
-    const Packing* packing = nullptr; // of the pixels whose rays are shot; null: all
-    bool fill = false;                // holes get the colours around them
+class EdgeFinder;
+struct FrameSources;
+struct PixelMarks;
 
-    /// Samples of a region, once for each loop over its tiles.
+/// A pass over the picture: which rays are shot, and what is kept of their hits.
+struct PassPlan {
+    int samples = 1;           // samples on a side of a pixel
+    int tile_size = 64;        // samples on a side of a tile: whole blocks and whole pixels
+    int part_side = 0;         // the most pixels on a side of a part: whole tiles
+    bool color = true;         // whether colours are shaded; otherwise only planes are made
+    std::span<const Aov> aovs; // the planes that are made
+    bool shadows = false;      // whether shadows are found
+    bool sky = false;          // whether it is found which directions of the sky the hits see
+    bool keeps_items = false;  // HitMemory::items
+    bool keeps_misses = false; // HitMemory::misses
+    const Packing* packing = nullptr; // of the pixels whose rays are shot; null if all are shot
+    bool fill = false;                // whether holes get the colours around them
+    EdgeFinder* edges = nullptr;      // FrameSources::edges, in the pass that makes colours
+    const PixelMarks* only = nullptr; // FrameSources::only
+
+    /// Whether the hits of all tiles are kept, for the lights or for the sky. Otherwise each tile is
+    /// finished while it is in cache.
+    bool keeps_hits() const { return shadows || sky; }
+
+    /// The work of a region in this pass: its samples, once for each loop over its tiles, and once for
+    /// each of the stages between.
     std::uint64_t work(const Region& region) const
     {
-        return samples_of(region) * (shadows ? 3 : 1);
+        return samples_of(region) * (1 + keeps_hits() + shadows + sky);
     }
+    /// The number of samples in a region, which is in pixels.
     std::uint64_t samples_of(const Region& region) const
     {
         return std::uint64_t(region.width) * std::uint64_t(region.height) *
@@ -40,23 +52,29 @@ struct PassPlan {
     }
 };
 
-/// All passes of a frame. Points into the settings and into itself.
+/// All passes of a frame. It points into the settings and into itself.
 class FramePlan {
   public:
-    /// lights       of the world
-    /// exact_items  the item source misses nothing
-    FramePlan(const Settings& settings, std::size_t lights, bool exact_items);
+    /// settings     outlive the plan
+    /// lights       number of lights in the world
+    /// exact_items  whether the item source never has holes
+    /// sources      for what is looked for, and in which pixels
+    FramePlan(const Settings& settings, std::size_t lights, bool exact_items,
+        const FrameSources& sources);
     FramePlan(const FramePlan&) = delete;
     FramePlan& operator=(const FramePlan&) = delete;
 
     std::span<const PassPlan> passes() const { return {pass_, count_}; }
     const ShadowOptions& shadows() const { return shadows_; }
+    const Sky& sky() const { return sky_; }
+    /// The work of all passes, for FrameProgress.
     std::uint64_t work(const Region& region) const;
 
   private:
     void add(PassPlan pass, int tile_size);
 
     const ShadowOptions& shadows_;
+    const Sky& sky_;
     std::optional<Packing> packing_;
     PassPlan pass_[2];
     std::size_t count_ = 0;

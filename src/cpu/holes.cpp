@@ -1,4 +1,4 @@
-// holes.cpp - the samples that have no colour of their own, and what becomes of them.
+// holes.cpp - the samples that have no colour of their own, and how they are filled.
 #include "cpu/holes.h"
 
 #include "film/fill_holes.h"
@@ -21,12 +21,13 @@ std::uint64_t count_holes(std::span<const std::uint64_t> holes)
 {
     std::uint64_t count = 0;
     for (const std::uint64_t word : holes)
-        if (word != 0) count += std::uint64_t(std::popcount(word)); // a call where x86 is of 2003
+        // Mostly there are no holes: this avoids popcount, which may be a function call.
+        if (word != 0) count += std::uint64_t(std::popcount(word));
     return count;
 }
 
 std::uint64_t keep_lattice(
-    const Lattice& lattice, int x, int y, ItemTile& items, std::span<std::uint64_t> holes)
+    const Lattice& lattice, int x, int y, TileItems& items, std::span<std::uint64_t> holes)
 {
     std::uint64_t missed = 0;
     for (int block = 0; block < items.blocks(); ++block) {
@@ -43,7 +44,7 @@ std::uint64_t keep_lattice(
 
 std::uint64_t interpolate_holes(const HoleMemory& memory, Tasks& tasks, Film& film)
 {
-    constexpr std::size_t kRows = 32; // of a task
+    constexpr std::size_t kRows = 32; // rows of a task
     const HolePicture picture{film.width, film.height, memory.pixel.span(), film.color.value};
     std::atomic<std::uint64_t> filled{0};
     tasks.for_ranges(std::size_t(film.height), kRows, [&](std::size_t first, std::size_t last) {

@@ -1,10 +1,10 @@
-// holes.h - the samples that have no colour of their own, and what becomes of them.
+// holes.h - the samples that have no colour of their own, and how they are filled.
 #pragma once
 
 #include "base/buffer.h"
 #include "base/tasks.h"
 #include "hits/lattice.h"
-#include "visibility/raster/item_tile.h"
+#include "visibility/tile_items.h"
 
 #include <firsthit/film.h>
 
@@ -13,33 +13,40 @@
 
 namespace firsthit {
 
-/// The holes of some tiles, and of the picture. A tile's are a word for each block, as ItemSource
-/// fills them.
+/// The holes of some tiles and of the film.
 struct HoleMemory {
-    Buffer<std::uint64_t> sample; // (tiles, blocks)
-    Buffer<std::uint8_t> pixel;   // (height, width) of the film, 1 or 0
-    std::size_t blocks = 0;       // of a tile
+    Buffer<std::uint64_t> sample; // (tiles, blocks) a bit for each sample that is a hole
+    Buffer<std::uint8_t> pixel;   // (height, width) of the film: 1 if a pixel is a hole, else 0
+    std::size_t blocks = 0;       // in a tile
 
+    /// (blocks) the holes of a tile.
     std::span<std::uint64_t> of(std::size_t tile)
     {
         return sample.span().subspan(tile * blocks, blocks);
     }
 };
 
-/// Prepares the tiles; allocates where there are more or larger ones than before.
+/// Prepares the holes of a number of tiles of tile_size x tile_size samples. Allocates only to
+/// grow.
 void resize(HoleMemory& memory, int tile_size, std::size_t tiles);
 
+/// The number of samples that are holes.
+///
+/// holes  (blocks) of a tile
 std::uint64_t count_holes(std::span<const std::uint64_t> holes);
 
-/// Leaves the tile the items of the lattice, and makes all other samples holes. Returns how many of
-/// the lattice's were holes before.
+/// Keeps the tile's items at the pixels of the lattice, and makes all other pixels holes without an
+/// item. The tile has one sample a pixel.
 ///
-/// x, y    of the picture's pixel that the tile's first sample is
-/// source  Robert and Schoepke 2006, section 4.1 (interleaved rendering)
+/// x, y     the pixel of the picture that is the tile's first sample
+/// holes    (blocks) of the tile
+/// returns  how many pixels of the lattice were holes before
+/// source   Robert and Schoepke 2006, section 4.1 (interleaved rendering)
 std::uint64_t keep_lattice(
-    const Lattice& lattice, int x, int y, ItemTile& items, std::span<std::uint64_t> holes);
+    const Lattice& lattice, int x, int y, TileItems& items, std::span<std::uint64_t> holes);
 
-/// Gives the film's holes the colours around them (film/fill_holes.h). Returns how many got one.
+/// Gives the holes of the film the colours around them (film/fill_holes.h). Returns how many pixels
+/// were filled.
 std::uint64_t interpolate_holes(const HoleMemory& memory, Tasks& tasks, Film& film);
 
 } // namespace firsthit

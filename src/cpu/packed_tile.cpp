@@ -1,5 +1,4 @@
-// packed_tile.cpp - the hits of an interleaved tile, side by side, so that shading has full
-// registers.
+// packed_tile.cpp - packs the hits of an interleaved tile, so that shading works on full registers.
 #include "cpu/packed_tile.h"
 
 #include "cpu/film_planes.h"
@@ -10,7 +9,7 @@
 namespace firsthit {
 namespace {
 
-/// A run's samples of block number `i` of a packed block.
+/// From the samples of a run in block number i of N to those in the packed block.
 std::uint64_t packed_samples(const Packing::Block& packing, std::size_t i, std::uint64_t samples)
 {
     const std::uint64_t shot = packing.shot[i];
@@ -26,8 +25,31 @@ std::uint64_t packed_samples(const Packing::Block& packing, std::size_t i, std::
     return packed << packing.first[i];
 }
 
-/// Adds the samples to the item's run, one of those from `first` on, or begins one. Neighbouring
-/// blocks mostly share their items: the newest are looked at first.
+/// The blocks of a row that are packed together.
+struct PackedBlocks {
+    std::size_t first;
+    int count;
+};
+
+/// Packs which directions of the sky the samples of some blocks see, as block number `to`.
+void pack_sky(const SkyVisibility& sky, const Packing::Block& packing, const PackedBlocks& blocks,
+    std::vector<std::uint64_t>& words, std::uint32_t to)
+{
+    const std::size_t count = sky.rays->count();
+    if (words.size() < (to + 1) * count) words.resize((to + 1) * count);
+    for (std::size_t k = 0; k < count; ++k) {
+        std::uint64_t packed = 0;
+        for (int i = 0; i < blocks.count; ++i) {
+            const auto block = std::size_t(i);
+            const std::uint64_t seen = sky.of_block(blocks.first + block)[k] & packing.shot[block];
+            if (seen != 0) packed |= packed_samples(packing, block, seen);
+        }
+        words[to * count + k] = packed;
+    }
+}
+
+/// Adds the samples of a run to the run of the same item in [first, end), or appends the run if
+/// there is none. Searches from the end, because neighbouring blocks mostly share their items.
 void add_run(const HitRun& run, HitRun* first, HitRun*& end)
 {
     for (HitRun* other = end; other-- > first;) {
@@ -66,7 +88,7 @@ void resize(PackedTile& packed, int tile_size, std::size_t lights)
     packed.place.resize(samples / kBlockSamples);
     packed.covered.resize(samples / kBlockSamples);
     for (Buffer<float>* plane : {&packed.t, &packed.u, &packed.v}) plane->resize(samples);
-    packed.lit_share.resize(lights * samples);
+    packed.light_visibility.resize(lights * samples);
     packed.lights = lights;
 }
 
@@ -104,9 +126,10 @@ void pack(const Packing& packing, const std::array<int, 2>& first_pixel, const H
         copy(hits.t, packed.t.data());
         copy(hits.u, packed.u.data());
         copy(hits.v, packed.v.data());
+        if (lit.sky.rays) pack_sky(lit.sky, block, {first_block, last - first}, packed.sky, count);
         if (lit.lit)
             for (std::size_t l = 0; l < packed.lights; ++l)
-                copy(lit.of_light(l), packed.lit_share.data() + l * samples);
+                copy(lit.of_light(l), packed.light_visibility.data() + l * samples);
         packed.place[count] = {float(first * kBlock), float(row * kBlock), &block.place};
         packed.covered[count] = covered;
         ++count;
@@ -120,7 +143,8 @@ void pack(const Packing& packing, const std::array<int, 2>& first_pixel, const H
     packed.hits.t = packed.t.data();
     packed.hits.u = packed.u.data();
     packed.hits.v = packed.v.data();
-    packed.lit = {lit.lit ? packed.lit_share.data() : nullptr, samples};
+    packed.lit = {lit.lit ? packed.light_visibility.data() : nullptr, samples,
+        {packed.sky.data(), lit.sky.rays}};
 }
 
 void store_packed(const PackedTile& packed, const TilePlace& place, const ShadeTargets& shaded,
@@ -141,7 +165,7 @@ void store_packed(const PackedTile& packed, const TilePlace& place, const ShadeT
             const int k = std::countr_zero(rest);
             const int x = int(where.x + where.samples->x[k]);
             const int y = int(where.y + where.samples->y[k]);
-            if (x >= rect.width || y >= rect.height) continue; // the rasteriser goes on there
+            if (x >= rect.width || y >= rect.height) continue; // outside the picture
             float* pixel = corner + (std::size_t(y) * width + std::size_t(x)) * 3;
             const std::size_t at = block * kBlockSamples + std::size_t(k);
             for (int c = 0; c < 3; ++c) pixel[c] = shaded.color[c][at];

@@ -1,4 +1,4 @@
-// packed_tile.h - the hits of an interleaved tile, side by side, so that shading has full registers.
+// packed_tile.h - packs the hits of an interleaved tile, so that shading works on full registers.
 #pragma once
 
 #include "base/buffer.h"
@@ -10,30 +10,33 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace firsthit {
 
 struct ShadeTargets;
 struct TilePlace;
 
-/// The lattice's samples of N blocks that lie side by side, which are 64, become one packed block.
+/// How samples are packed: N neighbouring blocks of a row have 64 samples on the lattice together,
+/// and these become one packed block.
 class Packing {
   public:
-    /// Of one place of the lattice.
+    /// The packing of N blocks at one phase of the lattice.
     struct Block {
-        BlockSamplesXY place;                   // of each packed sample, from the first block's
-        std::array<std::uint16_t, 64> source{}; // 64 * block + sample
-        std::array<std::uint64_t, 16> shot{};   // of each block
-        std::array<std::uint8_t, 17> first{};   // packed sample of each block
+        BlockSamplesXY place;                   // offset of each packed sample from the first block
+        std::array<std::uint16_t, 64> source{}; // 64 * block + sample, of each packed sample
+        std::array<std::uint64_t, 16> shot{};   // bits of the samples on the lattice, of each block
+        std::array<std::uint8_t, 17>
+            first{}; // the first packed sample of each block, and their number
     };
 
-    /// every  1 to Lattice::kMost
+    /// every  N, from 1 to Lattice::kMost
     explicit Packing(int every);
 
     int every() const { return every_; }
     const Lattice& lattice() const { return lattice_; }
 
-    /// Where the first block's first sample is pixel (x, y) of the picture.
+    /// The packing of N blocks whose first sample is pixel (x, y) of the picture.
     const Block& at(int x, int y) const { return block_[std::size_t(lattice_.phase(x, y))]; }
 
   private:
@@ -42,26 +45,33 @@ class Packing {
     std::array<Block, Lattice::kMost> block_{}; // by phase
 };
 
-/// A packed tile; kept from frame to frame.
+/// A packed tile and its memory, which is kept from frame to frame.
 struct PackedTile {
     HitTile hits;
     LightVisibility lit;
     Buffer<HitRun> run;
-    Buffer<BlockPlace> place;         // (blocks)
-    Buffer<std::uint64_t> covered;    // (blocks) samples with an item
-    Buffer<float> t, u, v, lit_share; // (samples), lit (lights, samples)
+    Buffer<BlockPlace> place;       // (blocks)
+    Buffer<std::uint64_t> covered;  // (blocks) a bit for each sample with an item
+    Buffer<float> t, u, v;          // (samples)
+    Buffer<float> light_visibility; // (lights, samples)
+    std::vector<std::uint64_t> sky; // (blocks, directions) if there is a sky
     std::size_t lights = 0;
 };
 
-/// Prepares a worker's memory for tiles of that size.
+/// Prepares a packed tile for tiles of tile_size x tile_size samples. Allocates only to grow.
 void resize(PackedTile& packed, int tile_size, std::size_t lights);
 
-/// Packs a tile whose items are all on the lattice.
-/// first_pixel  the picture's pixel that the tile's first sample is: x, y
+/// Packs the hits of a tile whose items are all on the lattice.
+///
+/// first_pixel  x and y of the picture's pixel that is the tile's first sample
+/// lit          of the tile's samples
+/// packed       resized to the tile's size; packed.hits and packed.lit point into it
 void pack(const Packing& packing, const std::array<int, 2>& first_pixel, const HitTile& hits,
     const LightVisibility& lit, PackedTile& packed);
 
-/// Writes the packed tile's colours to the film, and the background to all its other pixels.
+/// Stores the colours of the packed tile in the film, and the background in its other pixels.
+///
+/// shaded  the colours of the packed samples
 void store_packed(const PackedTile& packed, const TilePlace& place, const ShadeTargets& shaded,
     const glm::vec3& background, Film& film);
 

@@ -1,8 +1,11 @@
-// tile_stages.cpp - what a frame of the cpu engine does with each tile.
+// tile_stages.cpp - the stages of a frame of the cpu engine that work on one tile.
 #include "cpu/tile_stages.h"
 
 #include "base/stopwatch.h"
+#include "cpu/adaptive/edge_finder.h"
+#include "cpu/adaptive/pixel_marks.h"
 #include "cpu/film_planes.h"
+#include "shade/shade_environment.h"
 
 #include <algorithm>
 #include <array>
@@ -10,12 +13,11 @@
 namespace firsthit {
 namespace {
 
-/// The picture's pixel that the tile's first sample is; one sample a pixel.
+/// The picture's pixel that is the tile's first sample, in passes with one sample a pixel.
 std::array<int, 2> first_pixel(const FramePart& part, std::size_t tile)
 {
     const ViewMemory& view = part.memory.view;
-    return {part.pixels.x + int(tile) % view.tiles_x * view.tile_size,
-        part.pixels.y + int(tile) / view.tiles_x * view.tile_size};
+    return {part.pixels.x + view.first_x(int(tile)), part.pixels.y + view.first_y(int(tile))};
 }
 
 TilePlace place_of(const FramePart& part, const TileTurn& turn)
@@ -23,7 +25,19 @@ TilePlace place_of(const FramePart& part, const TileTurn& turn)
     TilePlace place{
         part.memory.view, part.pixels, part.frame.view.region, part.pass.samples, int(turn.tile)};
     if (part.pass.fill) place.holes = part.memory.holes.of(turn.place);
+    place.only = part.pass.only;
     return place;
+}
+
+/// Asks for the items of the tile's samples that lie in marked pixels.
+void want_marked(const FramePart& part, std::size_t tile, TileWorker& worker)
+{
+    const ViewMemory& view = part.memory.view;
+    const int n = part.pass.samples;
+    wanted_samples(*part.pass.only,
+        {part.pixels.x * n + view.first_x(int(tile)), part.pixels.y * n + view.first_y(int(tile))},
+        view.tile_size, worker.wanted.span());
+    worker.items.wanted = worker.wanted.span();
 }
 
 } // namespace
@@ -34,6 +48,8 @@ void find_items(const FramePart& part, const TileTurn& turn)
     Stopwatch lap;
     const std::span<std::uint64_t> holes = part.memory.holes.of(turn.place);
     std::fill(holes.begin(), holes.end(), 0);
+    worker.items.wanted = {};
+    if (part.pass.only) want_marked(part, turn.tile, worker);
     part.items.tile(part.memory.view, int(turn.tile), worker.items, holes, turn.worker);
     if (part.pass.packing) {
         const auto [x, y] = first_pixel(part, turn.tile);
@@ -50,10 +66,11 @@ void find_items(const FramePart& part, const TileTurn& turn)
 
 HitTile find_hits(const FramePart& part, const TileTurn& turn)
 {
+    const ViewMemory& view = part.memory.view;
     TileWorker& worker = *part.memory.workers[turn.worker];
     Stopwatch lap;
     const HitTile hits =
-        resolve_tile(part.memory.view, worker.items, part.memory.hits.of(turn.place));
+        resolve_tile(view, view.pencil, worker.items, part.memory.hits.of(turn.place));
     worker.resolve_ms += lap.lap_ms();
     worker.hit_count += count_hits(hits);
     return hits;
@@ -61,12 +78,14 @@ HitTile find_hits(const FramePart& part, const TileTurn& turn)
 
 LightVisibility light_visibility(const FramePart& part, const TileTurn& turn)
 {
-    if (!part.pass.shadows) return {};
     FrameMemory& memory = part.memory;
     TileWorker& worker = *memory.workers[turn.worker];
     Stopwatch lap;
-    const LightVisibility lit =
-        light_visibility_of_tile(part.frame.world, memory.tiles, turn.tile, memory.lit, worker.lit);
+    LightVisibility lit;
+    if (part.pass.shadows)
+        lit = light_visibility_of_tile(
+            part.frame.world, memory.tiles, turn.place, memory.lit, worker.lit);
+    if (part.pass.sky) lit.sky = sky_visibility_of_tile(memory.sky, turn.place);
     worker.shadow_ms += lap.lap_ms();
     return lit;
 }
@@ -85,12 +104,14 @@ void shade_and_store(
         pack(*pass.packing, first_pixel(part, turn.tile), hits, lit, worker.packed);
         shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
         store_packed(worker.packed, place, targets, world.scene->background, film);
-    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1) {
+    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1 &&
+               !shows_environment(*world.scene)) {
         store_background(place, world.scene->background, film);
     } else {
         shade_tile(hits, world, lit, targets);
         store_tile(place, hits, lit, targets, film);
     }
+    if (pass.edges) pass.edges->record(pixels_of(place), hits, lit, turn.worker);
     if (pass.fill) mark_holes(place, film.width, part.memory.holes.pixel.span());
     worker.shade_ms += lap.lap_ms();
 }

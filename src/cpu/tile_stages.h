@@ -1,4 +1,4 @@
-// tile_stages.h - what a frame of the cpu engine does with each tile.
+// tile_stages.h - the stages of a frame of the cpu engine that work on one tile.
 #pragma once
 
 #include "cpu/frame_memory.h"
@@ -8,33 +8,33 @@
 
 namespace firsthit {
 
-/// A part of the picture while a pass is at it.
+/// A part of the picture in a pass of a frame.
 struct FramePart {
     const FrameContext& frame;
     const FramePlan& plan;
     const PassPlan& pass;
     ItemSource& items;
     FrameMemory& memory;
-    Region pixels; // of the picture
+    Region pixels; // the part, in pixels of the picture
 };
 
-/// A tile of the part, and who works at it.
+/// A tile of the part, and the worker that handles it.
 struct TileTurn {
-    std::size_t tile;
-    std::size_t place; // of its hits and holes in the memory
+    std::size_t tile;  // its number in the part
+    std::size_t place; // where FrameMemory::hits, ::tiles and ::holes keep what belongs to it
     std::size_t worker;
 };
 
-/// Which triangle does each sample see? In the worker's items.
+/// Finds which triangle each sample of the tile sees. The result is in the worker's items.
 void find_items(const FramePart& part, const TileTurn& turn);
 
-/// Where exactly? Of the worker's items.
+/// Finds where exactly the rays hit the worker's items.
 HitTile find_hits(const FramePart& part, const TileTurn& turn);
 
-/// How much of each light reaches the tile's hits; without shadows all of it.
+/// Finds how much of each light reaches the tile's hits; all of it if the pass has no shadows.
 LightVisibility light_visibility(const FramePart& part, const TileTurn& turn);
 
-/// What colour is it? The tile's colours and planes, to the film.
+/// Shades the tile's hits and stores its colours and planes in the film.
 void shade_and_store(
     const FramePart& part, const TileTurn& turn, const HitTile& hits, const LightVisibility& lit);
 

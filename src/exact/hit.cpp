@@ -85,6 +85,41 @@ InverseDepth inverse_depth(const Corners& c, const vec3& d)
     return {std::abs(det), std::abs(volume), 10 * kUlp * det_size, 8 * kUlp * volume_size};
 }
 
+/// Below this, a rounded weight is 0.
+constexpr float kLeastWeight = 0x1p-126f;
+
+/// An edge function in double precision, and a bound of its error.
+struct PlainEdge {
+    double value, error;
+};
+
+PlainEdge plain_edge(const vec3& a, const vec3& b, const vec3& d)
+{
+    const auto n = cross_terms(a, b);
+    double term[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        term[axis] = (n[axis].plus - n[axis].minus) * double(d[int(axis)]);
+    // The error of each term is at most four roundings.
+    return {(term[0] + term[1]) + term[2],
+        8 * kUlp * (std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]))};
+}
+
+/// The float nearest to edge / det, which is not negative.
+float rounded_quotient(const Expansion<12>& edge, const Expansion<36>& det)
+{
+    const double q = edge.estimate() / det.estimate();
+    if (!(q >= double(kLeastWeight))) return 0;
+    // The quotient is between these floats, which are equal or neighbours.
+    const float low = float(q * (1 - 0x1p-40)), high = float(q * (1 + 0x1p-40));
+    if (low == high) return low;
+    const double middle = 0.5 * (double(low) + double(high)); // exact
+    Expansion<12 + 2 * 36> above;
+    above.add(edge);
+    above.add_scaled(det, -middle);
+    const int side = above.sign() * det.sign();
+    return side > 0 ? high : side < 0 ? low : float(middle);
+}
+
 /// Whether both triangles have the same three points, in any order.
 bool same_points(Corners a, Corners b)
 {
@@ -173,6 +208,29 @@ std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
     add_volume(opposite2, c[0], c[1], d);
     const double det = determinant(c, d).estimate();
     return {opposite1.estimate() / det, opposite2.estimate() / det};
+}
+
+std::array<float, 2> rounded_barycentrics(const Corners& c, const vec3& d)
+{
+    const PlainEdge edge[3] = {
+        plain_edge(c[1], c[2], d), plain_edge(c[2], c[0], d), plain_edge(c[0], c[1], d)};
+    const double det = (edge[0].value + edge[1].value) + edge[2].value;
+    double det_error = 0;
+    for (const PlainEdge& e : edge) det_error += e.error + 4 * kUlp * std::abs(e.value);
+    const bool certain = det_error <= 0.25 * std::abs(det);
+    // Where both ends of an interval that holds the weight round to the same float, that is it. With
+    // an error of det of a quarter at most, 2 stands for 1 / (1 - 1/4) and the roundings here.
+    const auto rounded = [&](int k) {
+        const double q = edge[k].value / det;
+        const double error =
+            2 * ((edge[k].error + std::abs(q) * det_error) / std::abs(det) + kUlp * std::abs(q));
+        const float low = float(q - error), high = float(q + error);
+        if (certain && low == high && low >= kLeastWeight) return low;
+        Expansion<12> exact;
+        add_volume(exact, c[std::size_t((k + 1) % 3)], c[std::size_t((k + 2) % 3)], d);
+        return rounded_quotient(exact, determinant(c, d));
+    };
+    return {rounded(1), rounded(2)};
 }
 
 } // namespace firsthit

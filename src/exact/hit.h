@@ -118,4 +118,8 @@ double exact_inverse_depth(const Corners& c, const glm::vec3& d);
 /// The weights of corners 1 and 2 at a hit (Embree's u and v), with the same precision.
 std::array<double, 2> exact_barycentrics(const Corners& c, const glm::vec3& d);
 
+/// The same, each rounded to the nearest float: ties to even, and to 0 below 2^-126. These are the
+/// roundings of the exact weights, whatever instructions they are found by.
+std::array<float, 2> rounded_barycentrics(const Corners& c, const glm::vec3& d);
+
 } // namespace firsthit

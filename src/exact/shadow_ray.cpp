@@ -10,13 +10,6 @@ namespace {
 
 using glm::vec3;
 
-/// The corners of a triangle that a ray from the origin hits if and only if the light's ray hits c.
-Corners pencil_corners(const PencilSpace& space, const Corners& c)
-{
-    if (!space.directional) return c;
-    return {vec3(c[0].x, c[0].y, 1), vec3(c[1].x, c[1].y, 1), vec3(c[2].x, c[2].y, 1)};
-}
-
 /// facing * N . (d - v0) > (of_point + of_corners) * (|N.x| + |N.y| + |N.z|), by expansions. N is
 /// the sum of a x b over the edges, whose products of two floats are exact in double.
 bool exactly_behind(const Corners& c, int facing, const vec3& d, float of_point, float of_corners)
@@ -105,7 +98,7 @@ bool is_shadowed(const PencilSpace& space, const Corners& c, const vec3& d, Effo
 {
     if (!usable(c) || !has_shadow_ray(space, d)) return false;
     const Corners pencil = pencil_corners(space, c);
-    const vec3 ray = space.directional ? vec3(d.x, d.y, 1) : d;
+    const vec3 ray = pencil_ray(space, d);
     const int facing = volume_sign(pencil, effort);
     return facing != 0 && edge_sign(pencil[0], pencil[1], ray, effort) == facing &&
            edge_sign(pencil[1], pencil[2], ray, effort) == facing &&

@@ -38,7 +38,8 @@ class ExrStream : public Imf::OStream {
     OutputFile& file_;
 };
 
-Imf::FrameBuffer frame_buffer(const PlaneView& plane, const std::vector<std::string>& names)
+void insert_slices(
+    const PlaneView& plane, const std::vector<std::string>& names, Imf::FrameBuffer& buffer)
 {
     const bool items = !plane.item.empty();
     const Imf::PixelType type = items ? Imf::UINT : Imf::FLOAT;
@@ -48,10 +49,8 @@ Imf::FrameBuffer frame_buffer(const PlaneView& plane, const std::vector<std::str
     const std::size_t y_stride = x_stride * static_cast<std::size_t>(plane.width);
     // OpenEXR's slices are used for reading as well, so they are not const.
     char* first = const_cast<char*>(static_cast<const char*>(data));
-    Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < names.size(); ++c)
         buffer.insert(names[c], Imf::Slice(type, first + 4 * c, x_stride, y_stride));
-    return buffer;
 }
 
 } // namespace
@@ -59,24 +58,42 @@ Imf::FrameBuffer frame_buffer(const PlaneView& plane, const std::vector<std::str
 void write_exr(
     const PlaneView& plane, const std::vector<std::string>& channel_names, const std::string& path)
 {
-    Imf::Header header(plane.width, plane.height);
+    const ExrPlane one{plane, channel_names};
+    write_exr(std::span(&one, 1), path);
+}
+
+void write_exr(std::span<const ExrPlane> planes, const std::string& path)
+{
+    const int width = planes[0].plane.width, height = planes[0].plane.height;
+    Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 1; // three times as fast as the default; files are 3% larger
-    for (const std::string& name : channel_names)
-        header.channels().insert(name, Imf::Channel(plane.item.empty() ? Imf::FLOAT : Imf::UINT));
+    Imf::FrameBuffer buffer;
+    for (const ExrPlane& plane : planes) {
+        const Imf::Channel channel(plane.plane.item.empty() ? Imf::FLOAT : Imf::UINT);
+        for (const std::string& name : plane.channel_names) header.channels().insert(name, channel);
+        insert_slices(plane.plane, plane.channel_names, buffer);
+    }
 
     OutputFile file(path);
     try {
         ExrStream stream(file);
         Imf::OutputFile exr(stream, header);
-        exr.setFrameBuffer(frame_buffer(plane, channel_names));
-        exr.writePixels(plane.height);
+        exr.setFrameBuffer(buffer);
+        exr.writePixels(height);
     } catch (const std::exception& error) {
         // If writing the file failed, commit() throws the better message.
         if (!file.failed())
             throw FileError(fmt::format("{}: cannot write: {}", path, error.what()));
     }
     file.commit();
+}
+
+void write_rgba_exr(const PlaneView& color, std::span<const float> alpha, const std::string& path)
+{
+    const ExrPlane planes[] = {{color, {"R", "G", "B"}},
+        {{.width = color.width, .height = color.height, .channels = 1, .value = alpha}, {"A"}}};
+    write_exr(planes, path);
 }
 
 } // namespace firsthit

@@ -15,8 +15,26 @@ struct AovShape {
 
 // Indexed by Aov.
 constexpr AovShape kShapes[kAovCount] = {
-    {"item", 1}, {"depth", 1}, {"distance", 1}, {"uv", 2}, {"normal", 3}, {"geometric_normal", 3},
-    {"position", 3}, {"albedo", 3}, {"barycentric", 2}, {"lit", 0}, // lit: a channel a light
+    {"item", 1},
+    {"depth", 1},
+    {"distance", 1},
+    {"uv", 2},
+    {"normal", 3},
+    {"geometric_normal", 3},
+    {"position", 3},
+    {"albedo", 3},
+    {"barycentric", 2},
+    {"lit", 0}, // a channel a light
+    {"instance", 1},
+    {"material", 1},
+    {"node", 1},
+    {"tangent", 4},
+    {"metallic_roughness", 2},
+    {"emission", 3},
+    {"motion", 2},
+    {"motion_visible", 1},
+    {"normal_camera", 3},
+    {"position_camera", 3},
 };
 
 } // namespace

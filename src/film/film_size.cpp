@@ -28,12 +28,16 @@ void resize(Film& film, const Region& region, const FilmPlanes& planes)
         size(film.color, 3);
     else
         film.color.value.clear();
-    if (!contains(planes.aovs, Aov::item)) film.item.clear();
-    for (int a = 0; a < kAovCount; ++a)
-        if (!contains(planes.aovs, Aov(a))) film[Aov(a)].value.clear();
+    for (int a = 0; a < kAovCount; ++a) {
+        if (contains(planes.aovs, Aov(a))) continue;
+        if (holds_ids(Aov(a)))
+            film.ids(Aov(a)).clear();
+        else
+            film[Aov(a)].value.clear();
+    }
     for (const Aov aov : planes.aovs) {
-        if (aov == Aov::item)
-            resize_in_large_pages(film.item, pixels);
+        if (holds_ids(aov))
+            resize_in_large_pages(film.ids(aov), pixels);
         else
             size(film[aov], aov == Aov::lit ? int(planes.lights) : aov_channels(aov));
     }

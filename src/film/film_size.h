@@ -9,15 +9,15 @@
 
 namespace firsthit {
 
-/// What a film is to hold.
+/// The planes that a film is to have.
 struct FilmPlanes {
     bool color = true;
     std::span<const Aov> aovs;
-    std::size_t lights = 0; // of the world: the channels of the plane `lit`
+    std::size_t lights = 0; // number of lights of the world: the channels of the plane `lit`
 };
 
-/// Gives the film the region's size, and the planes that are asked for theirs; empties the others.
-/// Allocates only where the film grows.
+/// Gives the film and the wanted planes the region's size, and empties the other planes. Allocates
+/// only if the film grows.
 void resize(Film& film, const Region& region, const FilmPlanes& planes);
 
 } // namespace firsthit

@@ -29,6 +29,15 @@ void write_npy(const PlaneView& plane, const std::string& path)
     file.commit();
 }
 
+void write_npy_floats(const std::string& path, std::span<const float> values)
+{
+    const std::string header = npy_header("<f4", fmt::format("({},)", values.size()));
+    OutputFile file(path);
+    file.write(header.data(), header.size());
+    file.write(values.data(), values.size_bytes());
+    file.commit();
+}
+
 void write_npy_bytes(const std::string& path, const NpyShape& shape,
     const std::function<void(std::size_t row, std::span<std::uint8_t> values)>& fill_row)
 {

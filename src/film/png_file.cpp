@@ -1,6 +1,6 @@
-// png_file.cpp - writes colour as 8-bit sRGB PNG.
-#include "base/srgb.h"
+// png_file.cpp - writes colours as 8-bit sRGB PNG, and distances as grey ones of 16 bits.
 #include "io/output_file.h"
+#include "film/picture_codes.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>
@@ -21,16 +21,32 @@ namespace {
 /// itself.
 struct PngWriter {
     OutputFile file;
-    const PlaneView& color;
+    const PictureCodes* colors = nullptr;
+    std::span<const std::uint16_t> grays; // (height, width), where there are no colours
+    int width, height;
+    int color_type = PNG_COLOR_TYPE_RGB;
     std::vector<std::uint8_t> row;
     png_structp png = nullptr;
     png_infop info = nullptr;
     char message[128] = "";
 
-    PngWriter(const PlaneView& plane, const std::string& path)
+    PngWriter(const PictureCodes& picture, const std::string& path)
         : file(path),
-          color(plane),
-          row(3 * static_cast<std::size_t>(plane.width))
+          colors(&picture),
+          width(picture.width()),
+          height(picture.height()),
+          color_type(picture.channels() == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB),
+          row(static_cast<std::size_t>(picture.width()) *
+              static_cast<std::size_t>(picture.channels()))
+    {
+    }
+    PngWriter(std::span<const std::uint16_t> values, int columns, int rows, const std::string& path)
+        : file(path),
+          grays(values),
+          width(columns),
+          height(rows),
+          color_type(PNG_COLOR_TYPE_GRAY),
+          row(2 * static_cast<std::size_t>(columns))
     {
     }
     ~PngWriter() { png_destroy_write_struct(&png, &info); }
@@ -61,44 +77,67 @@ void write_bytes(png_structp png, png_bytep data, std::size_t bytes)
 
 void flush_nothing(png_structp) {}
 
+/// Fills the row's bytes: those of values of 16 bits begin with the upper one.
+void fill_row(PngWriter& writer, int y)
+{
+    if (writer.colors) return writer.colors->row(y, writer.row);
+    const auto width = static_cast<std::size_t>(writer.width);
+    for (std::size_t x = 0; x < width; ++x) {
+        const std::uint16_t value = writer.grays[static_cast<std::size_t>(y) * width + x];
+        writer.row[2 * x] = static_cast<std::uint8_t>(value >> 8);
+        writer.row[2 * x + 1] = static_cast<std::uint8_t>(value & 255);
+    }
+}
+
 /// Writes the picture. False if libpng failed; `message` has the reason.
 bool write_rows(PngWriter& writer)
 {
     png_structp png = writer.png;
     if (setjmp(png_jmpbuf(png))) return false;
-    const auto width = static_cast<png_uint_32>(writer.color.width);
-    const auto height = static_cast<png_uint_32>(writer.color.height);
     png_set_write_fn(png, &writer, write_bytes, flush_nothing);
-    png_set_IHDR(png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-        PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_IHDR(png, writer.info, static_cast<png_uint_32>(writer.width),
+        static_cast<png_uint_32>(writer.height), writer.colors ? 8 : 16, writer.color_type,
+        PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (writer.colors) png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(png, 1);
-    png_set_compression_strategy(png, Z_RLE);
+    // Runs alone would be quicker, but the pattern of dithering makes files three times as large then.
+    png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
     png_set_compression_buffer_size(png, 1 << 18);
     png_write_info(png, writer.info);
-    const std::size_t row_values = writer.row.size();
-    for (png_uint_32 y = 0; y < height; ++y) {
-        srgb_table().codes(writer.color.value.subspan(y * row_values, row_values), writer.row);
+    for (int y = 0; y < writer.height; ++y) {
+        fill_row(writer, y);
         png_write_row(png, writer.row.data());
     }
     png_write_end(png, nullptr);
     return true;
 }
 
-} // namespace
-
-void write_png(const PlaneView& color, const std::string& path)
+void write(PngWriter& writer)
 {
-    PngWriter writer(color, path);
     writer.png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, keep_error, ignore_warning);
     if (writer.png) writer.info = png_create_info_struct(writer.png);
     const bool written = writer.info && write_rows(writer);
     if (!written && !writer.file.failed())
-        throw FileError(fmt::format(
-            "{}: cannot write: {}", path, *writer.message ? writer.message : "out of memory"));
+        throw FileError(fmt::format("{}: cannot write: {}", writer.file.path(),
+            *writer.message ? writer.message : "out of memory"));
     writer.file.commit();
+}
+
+} // namespace
+
+void write_png(const PictureCodes& picture, const std::string& path)
+{
+    PngWriter writer(picture, path);
+    write(writer);
+}
+
+void write_gray_png(
+    std::span<const std::uint16_t> value, int width, int height, const std::string& path)
+{
+    PngWriter writer(value, width, height, path);
+    write(writer);
 }
 
 } // namespace firsthit

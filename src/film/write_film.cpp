@@ -1,46 +1,18 @@
 // write_film.cpp - writes a film's planes; the ending of each path chooses the format.
-#include "io/output_file.h"
+#include "film/endings.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
 #include <firsthit/film.h>
+#include <firsthit/picture.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 
 namespace firsthit {
-
-namespace {
-
-/// The path's ending in lower case, such as ".png". A device such as /dev/null has none; returns
-/// `of_device` for it.
-std::string ending_of(const std::string& path, const char* of_device)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    if (ending.empty() && is_device(path)) return of_device;
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return ending;
-}
-
-std::string color_ending(const std::string& path)
-{
-    const std::string ending = ending_of(path, ".png");
-    if (ending == ".png" || ending == ".exr") return ending;
-    throw ArgumentError(fmt::format(
-        "{}: unknown ending '{}' for a picture: accepted are .png and .exr", path, ending));
-}
-
-std::string aov_ending(const std::string& path)
-{
-    const std::string ending = ending_of(path, ".npy");
-    if (ending == ".exr" || ending == ".npy") return ending;
-    throw ArgumentError(fmt::format(
-        "{}: unknown ending '{}' for a plane: accepted are .exr and .npy", path, ending));
-}
 
 std::vector<std::string> channel_names(Aov aov, int channels)
 {
@@ -63,63 +35,89 @@ std::vector<std::string> channel_names(Aov aov, int channels)
         return {"albedo.R", "albedo.G", "albedo.B"};
     case Aov::barycentric:
         return {"barycentric.U", "barycentric.V"};
+    case Aov::tangent:
+        return {"T.X", "T.Y", "T.Z", "T.W"};
+    case Aov::metallic_roughness:
+        return {"metallic", "roughness"};
+    case Aov::emission:
+        return {"emission.R", "emission.G", "emission.B"};
+    case Aov::motion:
+        return {"motion.X", "motion.Y"};
+    case Aov::normal_camera:
+        return {"Nc.X", "Nc.Y", "Nc.Z"};
+    case Aov::position_camera:
+        return {"Pc.X", "Pc.Y", "Pc.Z"};
+    case Aov::motion_visible:
+    case Aov::instance:
+    case Aov::material:
+    case Aov::node:
+        return {std::string(aov_name(aov))};
     case Aov::lit:
         break;
     }
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(channels));
     for (int light = 0; light < channels; ++light) names.push_back(fmt::format("lit.{}", light));
     return names;
 }
 
-/// throws  ArgumentError where the plane is not (height, width, channels)
-void check_shape(const Film& film, const PlaneView& plane, std::string_view name)
+namespace {
+
+/// Millimetres, and how many pixels are farther than they can say.
+std::uint64_t write_millimetres(const PlaneView& plane, const std::string& path)
 {
-    const std::size_t pixels =
-        film.width > 0 && film.height > 0
-            ? static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height)
-            : 0;
-    const std::size_t values = plane.item.size() + plane.value.size();
-    if (values == 0) throw ArgumentError(fmt::format("the film has no plane '{}'", name));
-    if (values != pixels * static_cast<std::size_t>(plane.channels))
-        throw ArgumentError(fmt::format("the film's plane '{}' has {} values, not {} x {} x {}",
-            name, values, film.height, film.width, plane.channels));
+    constexpr double kMost = 65535;
+    std::vector<std::uint16_t> value(plane.value.size());
+    std::uint64_t beyond = 0;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const float metres = plane.value[k];
+        if (!(metres > 0) || std::isinf(metres)) continue; // nothing is seen
+        const double millimetres = std::floor(double(metres) * 1000 + 0.5);
+        if (millimetres > kMost) ++beyond;
+        value[k] = static_cast<std::uint16_t>(std::clamp(millimetres, 1.0, kMost));
+    }
+    write_gray_png(value, plane.width, plane.height, path);
+    return beyond;
 }
 
 } // namespace
 
-void check_color_path(const std::string& path)
-{
-    color_ending(path);
-    check_output_path(path);
-}
-
 void check_aov_path(const std::string& path)
 {
-    aov_ending(path);
+    const std::string ending = ending_of(path, ".npy");
+    if (ending == ".exr" || ending == ".npy" || ending == ".png") return check_output_path(path);
+    throw ArgumentError(fmt::format("{}: unknown ending '{}' for a plane: accepted are .exr and "
+                                    ".npy, and .png for depth and distance",
+        path, ending));
+}
+
+void check_plane_path(Aov aov, const std::string& path, const std::string& format)
+{
+    plane_ending(aov, path, format);
     check_output_path(path);
 }
 
-void write_color(const Film& film, const std::string& path)
+std::uint64_t write_aov(const Film& film, Aov aov, const std::string& path)
 {
-    const std::string ending = color_ending(path);
+    return write_plane(film, aov, path, {});
+}
+
+PlaneView checked_color(const Film& film)
+{
     const PlaneView plane{
         .width = film.width, .height = film.height, .channels = 3, .value = film.color.value};
     check_shape(film, plane, "color");
-    if (ending == ".png")
-        write_png(plane, path);
-    else
-        write_exr(plane, {"R", "G", "B"}, path);
+    return plane;
 }
 
-void write_aov(const Film& film, Aov aov, const std::string& path)
+PlaneView checked_plane(const Film& film, Aov aov)
 {
-    const std::string ending = aov_ending(path);
     const bool lit = aov == Aov::lit;
     PlaneView plane{.width = film.width,
         .height = film.height,
         .channels = lit ? film[aov].channels : aov_channels(aov)};
-    if (aov == Aov::item)
-        plane.item = film.item;
+    if (holds_ids(aov))
+        plane.item = film.ids(aov);
     else
         plane.value = film[aov].value;
     if (lit && !plane.value.empty() && (plane.channels < 1 || plane.channels > int(kMaxLitLights)))
@@ -127,10 +125,20 @@ void write_aov(const Film& film, Aov aov, const std::string& path)
             fmt::format("the film's plane 'lit' has {} lights: accepted are 1 to {}",
                 plane.channels, kMaxLitLights));
     check_shape(film, plane, aov_name(aov));
+    return plane;
+}
+
+std::uint64_t write_plane(
+    const Film& film, Aov aov, const std::string& path, const std::string& format)
+{
+    const std::string ending = plane_ending(aov, path, format);
+    const PlaneView plane = checked_plane(film, aov);
+    if (ending == ".png") return write_millimetres(plane, path);
     if (ending == ".exr")
         write_exr(plane, channel_names(aov, plane.channels), path);
     else
         write_npy(plane, path);
+    return 0;
 }
 
 } // namespace firsthit

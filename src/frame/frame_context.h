@@ -15,9 +15,9 @@ struct FrameContext {
     const View& view; // checked, its region is filled in
     Tasks& tasks;
     Film& film;
-    FrameProgress* progress = nullptr; // null: nobody looks
+    FrameProgress* progress = nullptr; // null: progress is not reported
 
-    /// See FrameProgress.
+    /// These call the functions of FrameProgress, if there is one.
     void begin(std::uint64_t work) const
     {
         if (progress) progress->begin(work);

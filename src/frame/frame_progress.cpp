@@ -1,4 +1,4 @@
-// frame_progress.cpp - how far a frame is, and whether it is still wanted.
+// frame_progress.cpp - reports the progress of a frame and stops it on request.
 #include "frame/frame_progress.h"
 
 #include <firsthit/error.h>
@@ -6,7 +6,7 @@
 namespace firsthit {
 namespace {
 
-/// The caller is told of steps of at least this share.
+/// Progress is reported in steps of at least this share.
 constexpr double kStep = 1.0 / 1024;
 
 } // namespace
@@ -23,7 +23,7 @@ void FrameProgress::begin(std::uint64_t work)
 void FrameProgress::count(std::uint64_t work, std::size_t worker)
 {
     const std::uint64_t done = done_.fetch_add(work, std::memory_order_relaxed) + work;
-    if (worker != 0 || done >= work_) return; // finish() says 1
+    if (worker != 0 || done >= work_) return; // finish() reports 1
     const double share = double(done) / double(work_);
     if (share < reported_ + kStep) return;
     report(share);

@@ -1,4 +1,4 @@
-// frame_progress.h - how far a frame is, and whether it is still wanted.
+// frame_progress.h - reports the progress of a frame and stops it on request.
 #pragma once
 
 #include <firsthit/frame_control.h>
@@ -9,14 +9,15 @@
 
 namespace firsthit {
 
-/// Counts the work that is done of a frame, tells the caller on the caller's own thread, and gives
-/// the frame up when it is asked to. Work is in whatever unit the engine likes.
+/// Counts the work of a frame, reports progress to the caller on the caller's own thread, and stops
+/// the frame if the caller requests it. Each engine chooses its own unit of work.
 class FrameProgress {
   public:
     explicit FrameProgress(const FrameControl& control) : control_(control) {}
 
-    /// Begins a frame of so much work. An engine that begins after another one failed goes on where
-    /// the share was.
+    /// Begins a frame with the given total amount of work. If another engine failed before, the
+    /// reported progress does not go back.
+    /// throws  as check, and what the caller's function throws
     void begin(std::uint64_t work);
 
     /// throws  Cancelled: a stop was requested
@@ -26,8 +27,8 @@ class FrameProgress {
             give_up();
     }
 
-    /// So much more work is done. Calls of different workers may overlap; worker 0 is the thread of
-    /// the caller.
+    /// Adds work that is done. Calls of different workers may overlap; worker 0 is the caller's
+    /// thread.
     /// throws  as check, and what the caller's function throws
     void add(std::uint64_t work, std::size_t worker)
     {
@@ -35,7 +36,7 @@ class FrameProgress {
         if (control_.progress) count(work, worker);
     }
 
-    /// All is done.
+    /// Reports that the frame is done.
     void finish();
 
   private:
@@ -46,15 +47,15 @@ class FrameProgress {
     const FrameControl& control_;
     std::uint64_t work_ = 0;
     std::atomic<std::uint64_t> done_{0};
-    double reported_ = -1; // of the caller's thread
+    double reported_ = -1; // last reported share; only the caller's thread uses it
 };
 
-/// A stage's part of the work, done in equal steps on the caller's thread.
+/// The work of one stage, which is done in equal steps on the caller's thread.
 struct StageProgress {
-    FrameProgress* progress = nullptr; // null: nobody looks
+    FrameProgress* progress = nullptr; // null: progress is not reported
     std::uint64_t work = 0;
 
-    /// Step k of that many is done.
+    /// Reports that step k, counted from 0, of `steps` steps is done.
     void step(std::size_t k, std::size_t steps) const
     {
         if (progress) progress->add(work * (k + 1) / steps - work * k / steps, 0);

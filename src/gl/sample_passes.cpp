@@ -1,4 +1,4 @@
-// sample_passes.cpp - the gpu engine's passes over all samples of a part of a picture.
+// sample_passes.cpp - the gpu engine's passes over all samples of a section of a picture.
 #include "gl/sample_passes.h"
 
 #include "gl/bindings.h"
@@ -12,9 +12,9 @@
 namespace firsthit::gl {
 namespace {
 
-/// Of a plane's texels, on OpenGL and as the host wants them.
+/// The formats of a plane: of its texture, and of the pixels that the host reads.
 struct PlaneFormat {
-    std::size_t number; // of these
+    std::size_t number; // index of the texture in planes_
     GLenum drawn, read;
 };
 
@@ -27,18 +27,22 @@ PlaneFormat plane_format(Aov aov)
     case 2:
         return {2, GL_RG32F, GL_RG};
     default:
-        return {3, GL_RGBA32F, GL_RGB}; // three channels need not be drawable
+        return {3, GL_RGBA32F, GL_RGB}; // drivers need not support drawing to three channels
     }
 }
 
+struct PixelFormat {
+    GLenum channels, type;
+};
+
 /// Reads the colours of a framebuffer to rows that may be longer.
-void read_rows(const Framebuffer& from, glm::ivec2 size, GLenum channels, GLenum type, void* to,
-    int row_pixels)
+void read_rows(
+    const Framebuffer& from, glm::ivec2 size, PixelFormat format, void* to, int row_pixels)
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, row_pixels);
-    glReadPixels(0, 0, size.x, size.y, channels, type, to);
+    glReadPixels(0, 0, size.x, size.y, format.channels, format.type, to);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
 }
 
@@ -53,7 +57,7 @@ SamplePasses::SamplePasses(bool count_invocations) : count_invocations_(count_in
     }
 }
 
-/// For one more program.
+/// Makes room for one more program: deletes the one that was not used for the longest time.
 void SamplePasses::make_room()
 {
     if (programs_.size() < kMostPrograms) return;
@@ -61,14 +65,15 @@ void SamplePasses::make_room()
         [](const Linked& a, const Linked& b) { return a.last_use < b.last_use; }));
 }
 
-/// Valid until the next call.
+/// The program of a pass in the current variant, linked if there is none yet. Valid until the next
+/// call.
 const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
 {
     static constexpr std::string_view kFiles[] = {"early_z.frag", "intersect.frag",
         "hit_bounds.comp", "shade_hits.frag", "fill_holes.frag", "average.frag",
         "count_samples.comp", "plane.frag"};
-    const bool flags[] = {
-        variant_.shadow_maps, variant_.textures, variant_.few_lights, stored, count_invocations_};
+    const bool flags[] = {variant_.shadow_maps, variant_.textures, variant_.uv1, variant_.colors,
+        variant_.tangents, variant_.few_lights, variant_.environment, stored, count_invocations_};
     unsigned variant = unsigned(pass);
     const auto add = [&](int value, int values) {
         variant = variant * unsigned(values) + unsigned(value);
@@ -88,6 +93,10 @@ const Program& SamplePasses::linked(Pass pass, bool stored, int plane)
         {"FIRSTHIT_ITEM_CHANNELS", std::to_string(variant_.item_channels)},
         {"FIRSTHIT_SHADOW_MAPS", variant_.shadow_maps ? "1" : "0"},
         {"FIRSTHIT_TEXTURES", variant_.textures ? "1" : "0"},
+        {"FIRSTHIT_SECOND_UV", variant_.uv1 ? "1" : "0"},
+        {"FIRSTHIT_VERTEX_COLORS", variant_.colors ? "1" : "0"},
+        {"FIRSTHIT_TANGENTS", variant_.tangents ? "1" : "0"},
+        {"FIRSTHIT_ENVIRONMENT", variant_.environment ? "1" : "0"},
         {"FIRSTHIT_ONLY_MODEL", std::to_string(variant_.only_model)},
         {"FIRSTHIT_FEW_LIGHTS", variant_.few_lights ? std::to_string(kFewLights) : "0"},
         {"FIRSTHIT_COUNT_HITS", stored ? "1" : "0"}, {"FIRSTHIT_PLANE", std::to_string(plane)}};
@@ -108,8 +117,9 @@ void SamplePasses::start(const FrameData& frame, const PassVariant& variant)
     size_ = frame.size;
     frame_.resize(sizeof(FrameData));
     frame_.upload(0, &frame, sizeof(FrameData));
-    glBindBufferBase(GL_UNIFORM_BUFFER, kFrame, frame_.name());
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // the mask is drawn and compared by one rule
+    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_.name());
+    // Drawing the mask and testing against it need the same setting.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -152,7 +162,7 @@ void SamplePasses::mask_empty()
 
 namespace {
 
-/// While it lives, only samples with the mask's depth are drawn.
+/// While it exists, only samples that are in the mask are drawn.
 class Masked {
   public:
     Masked(const Texture2D& mask, Framebuffer& target, bool masked)
@@ -184,7 +194,7 @@ class Masked {
 
 void SamplePasses::find_hits(bool masked)
 {
-    if (count_invocations_) invocations_.bind_storage(kResult);
+    if (count_invocations_) invocations_.bind_storage(kResultBlock);
     const Program& program = linked(Pass::intersect);
     hits_.resize(GL_RGBA32UI, size_.x, size_.y);
     target_.attach(GL_COLOR_ATTACHMENT0, hits_.name());
@@ -204,7 +214,7 @@ void SamplePasses::find_bounds(bool stored, std::span<LightBounds> bounds)
 
 void SamplePasses::shade(const PassInput& input)
 {
-    if (count_invocations_) invocations_.bind_storage(kResult);
+    if (count_invocations_) invocations_.bind_storage(kResultBlock);
     const Program& program = linked(Pass::shade, input.stored);
     colors_.resize(GL_RGBA32F, size_.x, size_.y);
     target_.attach(GL_COLOR_ATTACHMENT0, colors_.name());
@@ -229,7 +239,7 @@ void SamplePasses::average(int samples)
 {
     const Program& program = linked(Pass::average);
     program.use();
-    glUniform1i(0, samples);
+    glUniform1i(kAverageSamples, samples);
     newest_->bind(kColorsUnit);
     size_ /= samples;
     draw_into(program, pixels_, GL_RGBA32F, size_);
@@ -242,7 +252,7 @@ SampleCounts SamplePasses::count(bool hits)
     SampleCounts counts;
     counts_.resize(sizeof counts);
     counts_.upload(0, &counts, sizeof counts);
-    counts_.bind_storage(kResult);
+    counts_.bind_storage(kResultBlock);
     if (!hits) newest_->bind(kColorsUnit);
     linked(Pass::count, hits).use();
     const GLuint blocks = (GLuint(size.x + 7) / 8) * (GLuint(size.y + 7) / 8);
@@ -255,7 +265,7 @@ SampleCounts SamplePasses::count(bool hits)
 void SamplePasses::read_colors(float* to, int row_pixels)
 {
     target_.attach(GL_COLOR_ATTACHMENT0, newest_->name());
-    read_rows(target_, size_, GL_RGB, GL_FLOAT, to, row_pixels);
+    read_rows(target_, size_, {GL_RGB, GL_FLOAT}, to, row_pixels);
     check("reading a picture");
 }
 
@@ -264,12 +274,12 @@ void SamplePasses::read_plane(Aov aov, bool stored, std::size_t light, void* to,
     const Program& program = linked(Pass::plane, stored, int(aov));
     if (aov == Aov::lit) {
         program.use();
-        glUniform1i(0, GLint(light));
+        glUniform1i(kPlaneLight, GLint(light));
     }
     const PlaneFormat format = plane_format(aov);
     draw_into(program, planes_[format.number], format.drawn, frame_data_.size);
-    read_rows(target_, frame_data_.size, format.read, aov == Aov::item ? GL_UNSIGNED_INT : GL_FLOAT,
-        to, row_pixels);
+    const GLenum type = aov == Aov::item ? GL_UNSIGNED_INT : GL_FLOAT;
+    read_rows(target_, frame_data_.size, {format.read, type}, to, row_pixels);
     check("reading a plane");
 }
 

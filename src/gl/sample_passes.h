@@ -1,12 +1,12 @@
-// sample_passes.h - the gpu engine's passes over all samples of a part of a picture.
+// sample_passes.h - the gpu engine's passes over all samples of a section of a picture.
 //
 // Single pass (Robert and Schoepke 2006, section 4.2.1):
 //
-//     shade(...)              looks the item up, intersects, shades
+//     shade(...)              reads the item, intersects, shades
 //
 // Multi-pass (section 4.2.2):
 //
-//     mask_empty()            depth, where there is an item
+//     mask_empty()            masks the samples without an item, by depth
 //     find_hits(masked)       one intersection for each sample that is not masked
 //     shade(stored, masked)   shades these hits
 #pragma once
@@ -25,76 +25,85 @@
 
 namespace firsthit::gl {
 
-/// How a missed item is repaired: FIRSTHIT_TEST of find_hit.glsl.
+/// Whether the ray of a sample is tested against its item, and what happens if it misses. The
+/// values are those of FIRSTHIT_TEST in find_hit.glsl.
 enum class HitTest {
-    take_item,      // items are exact: nothing is missed
-    test_item,      // missed: a hole
-    try_neighbours, // missed: the nearest hit among the items around
-    try_all,        // the nearest hit among the items around, for every sample
+    take_item,      // no test: the items are exact
+    test_item,      // a miss leaves a hole
+    try_neighbours, // after a miss, takes the nearest hit among the items around the sample
+    try_all,        // always takes the nearest hit among the items around the sample
 };
 
-/// Which variants of the shaders a part's samples need.
+/// The variant of the shaders that a section needs.
 struct PassVariant {
     HitTest test = HitTest::test_item;
-    int item_channels = 1;    // 1: integers; 3, 4: the paper's colours
-    bool shadow_maps = false; // else every light reaches everything
-    bool textures = false;    // and texture coordinates
-    bool few_lights = true;   // at most kFewLights
-    int only_model = -1;      // of all materials: material/models.h; -1: several
+    int item_channels = 1;    // 1: items are integers; 3, 4: items are colours, as in the paper
+    bool shadow_maps = false; // false: every light reaches every point
+    bool textures = false;    // whether the scene has texture coordinates
+    bool uv1 = false;         // whether it has second texture coordinates
+    bool colors = false;      // whether it has colours of vertices
+    bool tangents = false;    // whether it has tangents
+    bool few_lights = true;   // whether there are at most kFewLights
+    bool environment = false; // whether there is an environment that is reflected or seen
+    int only_model = -1;      // number of the only model (material/models.h); -1: several
 };
 
-/// What a pass over samples goes by.
+/// Options of the shading pass.
 struct PassInput {
-    bool stored = false; // hits are those of find_hits; else they are found again from the items
-    bool masked = false; // only where mask_empty left depth
+    bool stored = false; // read the hits of find_hits; false: find them from the items
+    bool masked = false; // skip the samples that mask_empty masked
 };
 
 struct SampleCounts {
     std::uint32_t hits = 0;
-    std::uint32_t missed = 0;       // of those that were shot
-    std::uint32_t interpolated = 0; // by fill_holes
+    std::uint32_t missed = 0;       // shot samples whose triangle was not found
+    std::uint32_t interpolated = 0; // samples that fill_holes gave a colour
 };
 
-/// Programs and targets. All passes but the average read the bound blocks and textures (bindings.h)
-/// and write one texel a sample. Programs are linked when first used; those not used for longest are
-/// given up where there are many.
+/// The programs and targets of the passes. All passes but the average read blocks and textures that
+/// are bound as bindings.h says, and write one texel for each sample. Programs are linked when
+/// first used. If there are too many, those that were not used for the longest time are deleted.
 class SamplePasses {
   public:
-    /// Of linked programs. A frame with all planes and maps uses 18; llvmpipe takes megabytes
-    /// for one.
+    /// The largest number of linked programs. A frame with all planes and maps uses 18. Mesa's
+    /// llvmpipe needs megabytes for each.
     static constexpr std::size_t kMostPrograms = 40;
 
-    /// count_invocations  for tests: find_hits and shade count the samples that run their shaders
+    /// count_invocations  for tests: count the samples for which find_hits and shade run a shader
     explicit SamplePasses(bool count_invocations = false);
 
-    /// Begins a part: uploads what its samples share, and sizes the targets.
+    /// Begins a section: uploads what its samples share, and sets its size.
     void start(const FrameData& frame, const PassVariant& variant);
 
+    /// Masks the samples without an item.
     void mask_empty();
+    /// Intersects the ray of each sample with the triangle of its item, and stores the hits.
     void find_hits(bool masked);
-    /// The rectangles that hits fill, see hit_bounds.h.
+    /// Finds the bounds of the hits on each light's faces: see hit_bounds.h.
     void find_bounds(bool stored, std::span<LightBounds> bounds);
+    /// Computes the colours.
     void shade(const PassInput& input);
-    /// Gives holes the colours around them.
+    /// Gives holes the mean of the colours around them.
     void fill_holes();
-    /// Leaves the means of samples x samples colours.
+    /// Averages squares of samples x samples colours: the result is the newest colours.
     void average(int samples);
 
-    /// Of the newest colours, or of the hits of find_hits. Waits.
+    /// Counts the newest colours, or the hits of find_hits. Waits for OpenGL.
     SampleCounts count_colors() { return count(false); }
     SampleCounts count_hits() { return count(true); }
 
-    /// (height, width) RGB of the newest colours, to rows that are `row_pixels` long. Waits.
+    /// Reads the newest colours, (height, width, 3) float, into rows of `row_pixels` pixels. Waits.
     void read_colors(float* to, int row_pixels);
 
-    /// Draws one plane and reads it: float with aov_channels(aov) channels, or uint32 for the item.
-    /// light  of Aov::lit, which has one channel here
+    /// Draws one plane and reads it: aov_channels(aov) floats for each sample, or uint32 for the
+    /// item.
+    /// light  for Aov::lit, which has one channel here: the number of the light
     void read_plane(Aov aov, bool stored, std::size_t light, void* to, int row_pixels);
 
-    /// (height, width) RGBA32UI: item, t, u, v of find_hits.
+    /// The hits of find_hits, (height, width) RGBA32UI: item and the bits of t, u, v.
     const Texture2D& hits() const { return hits_; }
 
-    /// Since the last call, of find_hits and shade. 0 where they are not counted.
+    /// Invocations of find_hits and shade since the last call; 0 if they are not counted.
     std::uint64_t take_invocations();
 
   private:
@@ -107,21 +116,21 @@ class SamplePasses {
 
     bool count_invocations_;
     FrameData frame_data_;
-    glm::ivec2 size_{0}; // of the newest colours
+    glm::ivec2 size_{0}; // size of the newest colours
 
     struct Linked {
-        unsigned variant;       // all that it was linked for
-        std::uint64_t last_use; // a number that grows with each
+        unsigned variant;       // a number for the pass and all its options
+        std::uint64_t last_use; // value of uses_ at its last use
         Program program;
     };
     PassVariant variant_;
-    std::vector<Linked> programs_; // at most kMostPrograms: those used last
+    std::vector<Linked> programs_; // at most kMostPrograms
     std::uint64_t uses_ = 0;
     VertexArray nothing_;
     Buffer frame_, invocations_, counts_;
     Texture2D mask_, hits_, colors_, filled_, pixels_;
-    const Texture2D* newest_ = nullptr; // of the last three
-    std::array<Texture2D, 4> planes_;   // item; 1, 2 and 4 channels
+    const Texture2D* newest_ = nullptr; // the newest of colors_, filled_ and pixels_
+    std::array<Texture2D, 4> planes_;   // of the item; of 1, 2 and 4 channels
     Framebuffer target_;
     HitBounds hit_bounds_;
 };

@@ -1,30 +1,35 @@
-// shadow_map.glsl - is a point in the shadow of a shadow map?
+// shadow_map.glsl - the depth test of shadow maps, and its slope bias.
 //
 // source  Williams 1978, "Casting Curved Shadows on Curved Surfaces"; Robert and Schoepke 2006,
 //         section 4.2.1 (isShadowed)
 
-/// map_depth  of what the light meets first, at the point's texel
-/// depth      of the point, in the same units along the same axis
-/// epsilon    how much nearer something has to be to count: see slope_bias
-FIRSTHIT_PURE truth is_shadowed(real map_depth, real depth, real epsilon)
+/// Whether the point is in shadow, by one texel of the map.
+///
+/// map_depth  depth of the triangle nearest to the light, at the texel
+/// depth      depth of the point, in the same units along the same axis
+/// epsilon    bias: an occluder must be nearer to the light than the point by more than this
+///            (slope_bias)
+FIRSTHIT_PURE truth is_shadowed_by_texel(real map_depth, real depth, real epsilon)
 {
     return map_depth < depth - epsilon;
 }
 
-/// How much a receiver's depth changes at most on the way from a point to the centres of the texels
-/// that are looked at for it, if the receiver is flat; where it faces the light, which would be
-/// nothing, as much as half of their width. So a plane does not shadow itself.
+/// The slope bias: how much the depth of a flat receiver can change between a point and the centres
+/// of the texels that are compared with it. With this bias a plane does not shadow itself. A
+/// receiver that faces the light squarely has no such change; the term |n.z| of the slope then
+/// still gives a bias of half the width of the texels.
 ///
-///     light           a receiver with normal n and distance h from the light, or from a parallel
-///       \             light's plane through the origin, seen at depth z:
-///     ---+---+---     dz/dx = z^2 n.x / h        in the units of x / z
-///      \ | / | /      dz/dx = n.x / n.z          where the light's rays are parallel
+///     light           A receiver with normal n at distance h from a point light, at depth z:
+///       \                 dz/dx = z^2 n.x / h        in the units of x / z
+///     ---+---+---     In parallel light:
+///      \ | / | /          dz/dx = n.x / n.z
 ///       \|/  |/
 ///     ===P===C=====   |z(C) - z(P)| <= reach * z^2 (|n.x| + |n.y|) / |h|
 ///
-/// depth      of the point
-/// receiver_slope  (|n.x| + |n.y| + |n.z|) / |h|, or / |n.z| where the rays are parallel (depth = 1)
-/// reach      from the point to the farthest texel's centre on one axis: half of N texels
+/// depth           of the point; 1 in parallel light
+/// receiver_slope  (|n.x| + |n.y| + |n.z|) / |h|; in parallel light (|n.x| + |n.y| + |n.z|) / |n.z|
+/// reach           distance along one axis from the point to the farthest texel centre: N / 2
+///                 texels
 FIRSTHIT_PURE real slope_bias(real depth, real receiver_slope, real reach)
 {
     return (depth * depth) * (receiver_slope * reach);

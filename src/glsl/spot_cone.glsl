@@ -1,13 +1,13 @@
-// spot_cone.glsl - how much of a spot's light goes into a direction.
+// spot_cone.glsl - the falloff of a spot light between its inner and its outer cone.
 //
-// Angles are compared by their versines, 1 - cos: the cosines of narrow cones are all nearly 1, and
-// float would leave little of the difference.
+// Angles are compared by their versines, 1 - cos. The cosines of small angles are all close to 1,
+// so their differences would lose most digits in float.
 
-/// The versine of the angle between a unit axis and d, in [0, 1]. 2 where the angle is 90 degrees
-/// or more, and where d is 0, infinite or no number.
+/// The versine of the angle between a unit axis and d, in [0, 1). 2 if the angle is 90 degrees or
+/// more, and if d is 0, infinite or NaN.
 FIRSTHIT_PURE real versine(real3 axis, real3 d)
 {
-    // Scaled to about 1: the squares of d need not be floats.
+    // Scale d to about 1, because its squares could over- or underflow.
     real largest = max(max(d.x, 0.0f - d.x), max(max(d.y, 0.0f - d.y), max(d.z, 0.0f - d.z)));
     real3 e = real3(d.x / largest, d.y / largest, d.z / largest);
     real length2 = dot(e, e);
@@ -19,13 +19,22 @@ FIRSTHIT_PURE real versine(real3 axis, real3 d)
     return mix(real(2.0f), versed, along > real(0.0f));
 }
 
-/// smoothstep from the cosine of the outer angle to that of the inner one. Above 0 exactly where
-/// the versine is below `outer`.
+/// The share of the light in a direction, 0 to 1: smoothstep of the cosine, from the outer angle to
+/// the inner one. Greater than 0 exactly if the versine is below `outer`.
 ///
 /// outer      versine of the outer angle
-/// inv_width  one over its difference to that of the inner angle, finite
+/// inv_width  1 / (outer - versine of the inner angle), finite
 FIRSTHIT_PURE real cone_share(real versine_of_d, real outer, real inv_width)
 {
     real s = min(max((outer - versine_of_d) * inv_width, 0.0f), 1.0f);
     return s * s * (3.0f - 2.0f * s);
+}
+
+/// The square of what is linear in the cosine instead.
+///
+/// source  Khronos 2020, KHR_lights_punctual ("Inner and Outer Cone Angles")
+FIRSTHIT_PURE real squared_cone_share(real versine_of_d, real outer, real inv_width)
+{
+    real s = min(max((outer - versine_of_d) * inv_width, 0.0f), 1.0f);
+    return s * s;
 }

@@ -1,4 +1,4 @@
-// block_surroundings-inl.h - which ids are near which samples of a block?
+// block_surroundings-inl.h - the items in and around a block: which are near which of its samples?
 #if defined(FIRSTHIT_HITS_BLOCK_SURROUNDINGS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_BLOCK_SURROUNDINGS_INL_H_
 #undef FIRSTHIT_HITS_BLOCK_SURROUNDINGS_INL_H_
@@ -15,10 +15,10 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// From a byte for each row of a block to the order of its samples (base/tile_order.h).
+/// Reorders the bits of a block's samples from row by row to the order of base/tile_order.h.
 HWY_INLINE std::uint64_t block_order(std::uint64_t rows)
 {
-    // Each row's left halves in one run of 16 bits for four rows; the right halves likewise.
+    // Gathers the lower four bits of each byte: 16 consecutive bits for each four rows.
     const auto halves = [](std::uint64_t v) {
         v &= 0x0F0F0F0F0F0F0F0F;
         v = (v | v >> 4) & 0x00FF00FF00FF00FF;
@@ -27,9 +27,11 @@ HWY_INLINE std::uint64_t block_order(std::uint64_t rows)
     return halves(rows) | halves(rows >> 4) << 16;
 }
 
-/// A block with `reach` rows and columns around it.
+/// The items of a block and of `reach` rows and columns around it.
 class BlockSurroundings {
   public:
+    /// x, y   the block's first sample, in the window's coordinates
+    /// reach  0 to 2
     BlockSurroundings(const PictureWindow& window, int x, int y, int reach)
         : reach_(reach),
           side_(kBlock + 2 * reach)
@@ -38,12 +40,12 @@ class BlockSurroundings {
             window.copy_row(x - reach, y - reach + row, side_, item_[row]);
     }
 
-    /// Calls f(id, samples) for each distinct id but kNoItem, with the samples of the block that
-    /// have it in their neighbourhood, a bit each.
+    /// Calls f(id, samples) for each distinct id except kNoItem. `samples` has a bit for each
+    /// sample of the block that has the id in its neighbourhood.
     template <class F>
     void for_each_id(const F& f) const
     {
-        std::uint32_t rest[kRows]; // columns of each row whose id has not come yet
+        std::uint32_t rest[kRows]; // bits of the columns of each row whose id is still to come
         std::uint32_t same[kRows];
         find(0, kNoItem, rest);
         for (int row = 0; row < side_; ++row) rest[row] = ~rest[row] & ((1u << side_) - 1);
@@ -63,9 +65,9 @@ class BlockSurroundings {
 
   private:
     static constexpr int kRows = kBlock + 4;
-    static constexpr int kColumns = 16; // room for a row in one register, or in whole ones
+    static constexpr int kColumns = 16; // a row has room in one register, or in whole ones
 
-    /// Columns with that id of the rows from `first` on.
+    /// Finds the columns with that id, a bit each, in the rows from `first` on.
     HWY_INLINE void find(int first, std::uint32_t id, std::uint32_t* columns) const
     {
         const hn::CappedTag<std::uint32_t, kColumns> d;
@@ -78,11 +80,11 @@ class BlockSurroundings {
         }
     }
 
-    /// The samples of the block, a byte for each row, that have these columns of the row in their
-    /// neighbourhood.
+    /// The samples of the block, a byte for each row, that have one of the columns of the row in
+    /// their neighbourhood.
     HWY_INLINE std::uint64_t near_row(int row, std::uint32_t columns) const
     {
-        std::uint32_t wide = 0; // sample x has columns x to x + 2 reach
+        std::uint32_t wide = 0; // sample x is near the columns x to x + 2 reach
         for (int k = 0; k <= 2 * reach_; ++k) wide |= columns >> k;
         const int first = std::max(row - 2 * reach_, 0), last = std::min(row, kBlock - 1);
         std::uint64_t near = 0;

@@ -1,4 +1,4 @@
-// hit_position-inl.h - the points in world space that a register of samples sees.
+// hit_position-inl.h - computes the points in world space that a register of samples sees.
 #if defined(FIRSTHIT_HITS_HIT_POSITION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_HIT_POSITION_INL_H_
 #undef FIRSTHIT_HITS_HIT_POSITION_INL_H_
@@ -21,10 +21,10 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
     return real3(v.x, v.y, v.z);
 }
 
-/// The rays of one block of a tile (exact/rays.h), each number in all lanes.
+/// The rays of one block of a tile (exact/rays.h). Each number is in all lanes.
 struct BlockRays {
-    real x0, y0;                   // of the block's origin
-    const BlockSamplesXY* samples; // from there
+    real x0, y0;                   // of the block's origin, see Rays
+    const BlockSamplesXY* samples; // offsets from the origin
     real step_x, step_y;
     real3 eye, right, down, forward;
 };
@@ -34,7 +34,7 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
     const std::uint32_t blocks_x = static_cast<std::uint32_t>(hits.size / kBlock);
     const Rays& tile = hits.rays;
     BlockRays rays;
-    // Exact, as are all sample positions: multiples of 1/2 below 2^22.
+    // The sums are exact, since all positions of samples are multiples of 1/2 below 2^22.
     if (hits.packed) {
         const BlockPlace& place = hits.places[block];
         rays.x0 = tile.x0 + place.x;
@@ -54,7 +54,8 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
     return rays;
 }
 
-/// Of the samples [first, first + kLanes) of the block.
+/// The directions of the samples [first, first + kLanes) of the block, in world space. Not unit
+/// vectors.
 FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
 {
     return ray_direction(rays.x0 + load(rays.samples->x + first),

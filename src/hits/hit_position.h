@@ -1,7 +1,8 @@
-// hit_position.h - the point in world space that a sample sees, one at a time.
+// hit_position.h - computes the point in world space that a sample sees, for one sample at a time.
 //
-// The text (src/glsl/hit_position.glsl) and so the bits are those of hit_position-inl.h, which
-// takes a register of samples: who reasons about such a point exactly may use either.
+// It compiles the same text as hit_position-inl.h (src/glsl/hit_position.glsl), which takes a
+// register of samples, and so computes the same bits. Code that reasons exactly about such a point
+// may use either.
 #pragma once
 
 #include "base/scalar_real.h"
@@ -17,7 +18,7 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
     return real3(v.x, v.y, v.z);
 }
 
-/// The direction of sample (x, y) of the tile, whole numbers from 0.
+/// The direction of sample (x, y) of the tile in world space. x and y are whole numbers from 0.
 FIRSTHIT_PURE real3 ray_direction(const Rays& rays, real x, real y)
 {
     return ray_direction(rays.x0 + x, rays.y0 + y, rays.step_x, rays.step_y, from_glm(rays.right),
@@ -25,7 +26,7 @@ FIRSTHIT_PURE real3 ray_direction(const Rays& rays, real x, real y)
 }
 } // namespace scalar
 
-/// The point that sample (x, y) of the tile sees at depth t.
+/// The point in world space that sample (x, y) of the tile sees at depth t.
 inline glm::vec3 hit_position(const Rays& rays, float x, float y, float t)
 {
     const scalar::real3 p =

@@ -12,44 +12,46 @@
 
 namespace firsthit {
 
-/// The samples of one 8x8 block that see the same triangle. All samples of a tile with an item are
-/// in exactly one run.
+/// The samples of one 8x8 block that see the same triangle. Each sample of a tile that has an item
+/// is in exactly one run.
 struct HitRun {
     std::uint32_t item = 0;
     std::uint16_t block = 0;   // number of the block in its tile; its samples start at 64 * block
     std::int16_t eye_side = 0; // 1 or -1: volume_sign (exact/hit.h) of the item in eye space
     std::uint64_t samples = 0; // bit k: sample 64 * block + k
 
-    // The item's plane in world space, for what needs no exact answer: who has it fetches no corners.
-    // x, y, z: its normal towards the eye, the largest coordinate 1 or -1; w: height of the eye above it,
-    // normal . (eye - p), p in the plane. All 0 where that is not known.
+    // A cached plane of the item in world space, which saves loading its corners. It is not exact.
+    // x, y, z: the normal towards the eye, whose largest coordinate is 1 or -1. w: the height of
+    // the eye above the plane, normal . (eye - p) for any p in the plane. All 0 if the plane is not
+    // known.
     glm::vec4 plane{0};
 
     bool has_plane() const { return plane.w > 0; }
 };
 static_assert(sizeof(HitRun) == 32, "two in a cache line");
 
-/// Where the samples of a block are, where that is not a square of 8x8 in its turn.
+/// Where the samples of a packed block are (cpu/packed_tile.h).
 struct BlockPlace {
-    float x = 0, y = 0;                      // of its origin, in samples from the tile's first one
-    const BlockSamplesXY* samples = nullptr; // from there; all are multiples of 1
+    float x = 0, y = 0;                      // its origin, in samples from the tile's first one
+    const BlockSamplesXY* samples = nullptr; // offsets from there, whole numbers
 };
 
-/// Hits in tile order (see tile_order.h), structure of arrays, each aligned to 64 bytes. A sample
-/// without an item has t = +inf, u = v = 0; but of a block that `covered` says to have no item at
-/// all, everything is undefined (HitMemory::misses).
+/// The hits of a tile in tile order (base/tile_order.h), as a structure of arrays that are each
+/// aligned to 64 bytes. A sample without an item has t = +inf and u = v = 0. But t, u, v and item
+/// are undefined in blocks that `covered` says to have no item at all, if HitMemory::misses is
+/// false.
 struct HitTile {
     int size = 64; // samples on a side
-    Rays rays;     // in world space
+    Rays rays;     // of the samples, in world space
     std::span<const HitRun> runs;
-    const std::uint64_t* covered = nullptr; // (blocks) samples with an item, a bit each; or null
+    const std::uint64_t* covered = nullptr; // (blocks) a bit for each sample with an item; or null
     const std::uint32_t* item = nullptr;    // (size * size), or null
     const float* t = nullptr;               // depth along the view axis, world units
     const float* u = nullptr;               // weight of corner 1 (Embree's convention)
     const float* v = nullptr;               // weight of corner 2
 
-    /// Shading alone also takes packed samples (cpu/packed_tile.h): then `places` has a place for
-    /// each block, and `item` is null.
+    /// Whether the tile holds packed samples (cpu/packed_tile.h), which only shading accepts. Then
+    /// `places` has a place for each block, and `item` is null.
     bool packed = false;
     std::span<const BlockPlace> places;
 

@@ -1,7 +1,7 @@
-// item_repair.cpp - repairs a tile of an item picture that is only nearly right.
+// item_repair.cpp - repairs the items of one tile of a picture that is nearly right.
 //
-// Triangles are tested against all samples of a block that want them, as in resolve_tile.cpp; what
-// is repaired lazily is rare, and goes sample by sample.
+// Triangles are tested against all samples of a block that need them, as in resolve_tile.cpp. The
+// lazy repair of missed samples is rare, and goes sample by sample.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hits/item_repair.cpp"
 #include "base/simd.h"
@@ -21,50 +21,60 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// The repair of one tile.
 struct Repair {
-    const ViewMemory& view;
+    const EyeMesh& mesh;
     const PictureWindow& window;
-    ItemTile& out;
+    TileItems& out;
     std::span<std::uint64_t> holes;
     RayTests tests;
-    /// Full: samples that have an item so far, a word for each block.
+    /// (blocks) bits of the samples for which a triangle was found so far, in the modes full3 and
+    /// full5.
     std::uint64_t found[(kMaxTile / kBlock) * (kMaxTile / kBlock)];
 
-    Repair(const ViewMemory& memory, const PictureWindow& picture, ItemTile& tile,
+    Repair(const EyeMesh& eye_mesh, const PictureWindow& picture, TileItems& tile,
         std::span<std::uint64_t> missed)
-        : view(memory),
+        : mesh(eye_mesh),
           window(picture),
           out(tile),
           holes(missed)
     {
     }
 
-    std::uint32_t triangles() const { return std::uint32_t(view.index.size()); }
+    std::uint32_t triangles() const { return std::uint32_t(mesh.index.size()); }
     Effort& effort() { return out.counts.effort; }
 
-    Corners corners(std::uint32_t triangle) const
-    {
-        const glm::uvec3& c = view.index[triangle];
-        return {
-            glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
-    }
-
-    /// Whether a comes before b on the ray along d, which hits both.
+    /// Whether triangle a is nearer than b on the ray along d, which hits both, or equally near
+    /// with a lower id.
     bool is_nearer(std::uint32_t a, std::uint32_t b, const glm::vec3& d)
     {
-        const int order = compare_depth(corners(a), corners(b), d, effort());
+        const int order = compare_depth(corners_of(mesh, a), corners_of(mesh, b), d, effort());
         return order < 0 || (order == 0 && a < b);
     }
 
+    /// The samples that hit the triangle of test i where it is there, a bit each.
+    std::uint64_t seen_samples(int i)
+    {
+        const RayTest& test = tests.test[i];
+        std::uint64_t hits = hit_samples(tests, i, out, effort());
+        if (!mesh.cutouts.has(test.triangle)) return hits;
+        for (std::uint64_t rest = hits; rest; rest &= rest - 1)
+            if (!mesh.cutouts.is_solid(test.triangle, tests.corners(i),
+                    direction_of(out, test.block, std::countr_zero(rest))))
+                hits &= ~(rest & (~rest + 1));
+        return hits;
+    }
+
+    /// Runs the collected tests, and calls use(test, bits of the samples that hit) for each.
     template <class Use>
     void run_tests(const Use& use)
     {
-        set_up_tests(view, out, tests);
-        for (int i = 0; i < tests.count; ++i)
-            use(tests.test[i], hit_samples(tests, i, out, effort()));
+        set_up_tests(mesh, out, tests);
+        for (int i = 0; i < tests.count; ++i) use(tests.test[i], seen_samples(i));
         tests.count = 0;
     }
 
+    /// Collects a test, and runs all tests once the batch is full.
     template <class Use>
     void add_test(const RayTest& test, const Use& use)
     {
@@ -72,7 +82,7 @@ struct Repair {
         if (++tests.count == kRayTests) run_tests(use);
     }
 
-    /// Every sample against its own item; holes are what misses.
+    /// Tests every sample against its own item. Samples that miss become holes.
     void test_own()
     {
         const auto use = [&](const RayTest& test, std::uint64_t hits) {
@@ -94,13 +104,13 @@ struct Repair {
         run_tests(use);
     }
 
-    /// Nearest hit of the sample's neighbours, or kNoItem.
+    /// The nearest hit among the triangles of the sample's neighbours, or kNoItem.
     std::uint32_t nearest_neighbour(std::uint32_t block, int sample, int reach)
     {
         const glm::vec3 d = direction_of(out, block, sample);
         const int x = int(block) % out.blocks_x() * kBlock + block_x(sample);
         const int y = int(block) / out.blocks_x() * kBlock + block_y(sample);
-        std::uint32_t tested[25] = {window.at(x, y)}; // it has missed
+        std::uint32_t tested[25] = {window.at(x, y)}; // the sample's own item was missed
         int count = 1;
         std::uint32_t best = kNoItem;
         for (int dy = -reach; dy <= reach; ++dy) {
@@ -109,14 +119,17 @@ struct Repair {
                 if (id >= triangles() || std::find(tested, tested + count, id) != tested + count)
                     continue;
                 tested[count++] = id;
-                if (!is_hit(corners(id), d, effort())) continue;
+                const Corners corners = corners_of(mesh, id);
+                if (!is_hit(corners, d, effort()) || !mesh.cutouts.is_there(id, corners, d))
+                    continue;
                 if (best == kNoItem || is_nearer(id, best, d)) best = id;
             }
         }
         return best;
     }
 
-    /// What is still missed becomes its neighbours', or no item.
+    /// Gives holes the nearest hit among their neighbours' triangles. Holes without one get
+    /// kNoItem.
     void repair_holes(int reach)
     {
         for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block) {
@@ -130,7 +143,8 @@ struct Repair {
         }
     }
 
-    /// A triangle's hits join what is found so far.
+    /// Stores the triangle of a test at the samples that hit it and have found no nearer one so
+    /// far.
     void keep_nearest(const RayTest& test, std::uint64_t hits)
     {
         std::uint32_t* item = out.item.data() + test.block * kBlockSamples;
@@ -145,14 +159,14 @@ struct Repair {
         }
     }
 
-    /// Every sample against all items of its neighbourhood.
+    /// Tests every sample against all items of its neighbourhood.
     void test_neighbourhoods(int reach)
     {
         const auto use = [&](const RayTest& test, std::uint64_t hits) { keep_nearest(test, hits); };
         for (std::uint32_t block = 0; block < std::uint32_t(out.blocks()); ++block) {
             std::uint32_t* item = out.item.data() + block * kBlockSamples;
             found[block] = 0;
-            holes[block] = ~samples_with(item, kNoItem); // whose item is a triangle
+            holes[block] = ~samples_with(item, kNoItem); // samples that had an item
             const int x = int(block) % out.blocks_x() * kBlock;
             const int y = int(block) / out.blocks_x() * kBlock;
             const std::uint64_t inside = window.block_inside(x, y);
@@ -168,7 +182,7 @@ struct Repair {
             holes[block] &= ~found[block];
     }
 
-    /// Ids that are no triangles are holes.
+    /// Makes samples holes whose id is no triangle.
     void check_ids()
     {
         const hn::CappedTag<std::uint32_t, 16> d;
@@ -185,10 +199,10 @@ struct Repair {
     }
 };
 
-void repair(const ViewMemory& view, const PictureWindow& window, Multisample mode, ItemTile& out,
+void repair(const EyeMesh& mesh, const PictureWindow& window, Multisample mode, TileItems& out,
     std::span<std::uint64_t> holes)
 {
-    Repair work(view, window, out, holes);
+    Repair work(mesh, window, out, holes);
     window.copy(out);
     switch (mode) {
     case Multisample::none:
@@ -217,14 +231,15 @@ namespace firsthit {
 
 HWY_EXPORT(repair);
 
-void repair_tile_items(const ViewMemory& view, std::span<const std::uint32_t> picture, int tile,
-    Multisample mode, ItemTile& out, std::span<std::uint64_t> holes)
+void repair_tile_items(const EyeMesh& mesh, const PictureTile& picture, Multisample mode,
+    TileItems& out, std::span<std::uint64_t> holes)
 {
-    const int x = tile % view.tiles_x * view.tile_size, y = tile / view.tiles_x * view.tile_size;
-    out.rays = view.pencil.tile(x, y);
+    const TileLayout& layout = picture.layout;
+    out.rays = layout.rays(picture.tile);
     out.counts = {};
-    const PictureWindow window(picture, view.pencil.width, view.pencil.height, x, y);
-    HWY_DYNAMIC_DISPATCH(repair)(view, window, mode, out, holes);
+    const PictureWindow window(picture.picture, layout.pencil.width, layout.pencil.height,
+        layout.first_x(picture.tile), layout.first_y(picture.tile));
+    HWY_DYNAMIC_DISPATCH(repair)(mesh, window, mode, out, holes);
 }
 
 } // namespace firsthit

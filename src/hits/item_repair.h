@@ -1,8 +1,10 @@
-// item_repair.h - repairs a tile of an item picture that is only nearly right.
+// item_repair.h - repairs the items of one tile of a picture that is nearly right, as OpenGL draws
+// it.
 #pragma once
 
-#include "visibility/raster/item_tile.h"
-#include "visibility/bin/view_memory.h"
+#include "visibility/bin/eye_mesh.h"
+#include "visibility/bin/tile_layout.h"
+#include "visibility/tile_items.h"
 
 #include <firsthit/options/multisample.h>
 
@@ -11,34 +13,40 @@
 
 namespace firsthit {
 
-/// So many rows and columns around a tile are looked at: 0, 1 or 2.
+/// The number of rows and columns around a sample whose items a mode looks at: 0, 1 or 2.
 constexpr int reach_of(Multisample mode)
 {
     if (mode == Multisample::lazy3 || mode == Multisample::full3) return 1;
     return mode == Multisample::lazy5 || mode == Multisample::full5 ? 2 : 0;
 }
 
-/// Fills out.item, out.x0 and out.y0 of a tile from a picture of triangle ids, testing each
-/// sample's ray against the triangle that the picture names (exact/hit.h):
+/// A tile of a picture of items.
+struct PictureTile {
+    const TileLayout& layout; // of the picture
+    /// (height, width) of layout.pencil, row 0 at the top. An id that is no triangle counts as a
+    /// triangle that is missed, except kNoItem.
+    std::span<const std::uint32_t> picture;
+    int tile; // its number
+};
+
+/// Fills out.item, out.rays and out.counts of a tile. Tests each sample's ray (exact/hit.h) against
+/// the triangle that the picture names for it. What happens next depends on the mode:
 ///
-///   none    a sample whose triangle is missed is a hole
-///   lazy    there the nearest hit among the triangles of the n x n neighbourhood is taken; nothing
-///           hit: a hole. Samples without an item shoot no ray
-///   full    every sample takes the nearest hit among all triangles of its neighbourhood; nothing
-///           hit: a hole, or none where it had no item
+///   none    a sample whose ray misses the triangle is a hole
+///   lazy    a sample whose ray misses takes the nearest hit among the triangles of its n x n
+///           neighbourhood; if none is hit, it is a hole. Samples without an item are not tested
+///   full    every sample takes the nearest hit among all triangles of its neighbourhood. If none
+///           is hit, it is a hole if it had an item, and has none otherwise
 ///   exact   the items are right already, and are copied
 ///
-/// Nearest is exact, ties go to the lowest id. Every id from the number of triangles on, other than
-/// kNoItem, is a triangle that is missed. out.counts.effort is set to this tile's.
+/// The nearest hit is found exactly; of equally near triangles the one with the lowest id is taken.
 ///
-/// view     pencil, tile layout, index and corner
-/// picture  (height, width) of the pencil, row 0 at the top; rows up to reach_of(mode) above and
-///          below the tile are read
-/// out      resized to view.tile_size (raster_tile.h); out.item outside the picture is kNoItem
-/// holes    a word for each block of the tile, 0 when called: bits are set for holes, and their
-///          items are kNoItem
+/// mesh     in CornerSpace::eye
+/// picture  rows up to reach_of(mode) above and below the tile are read
+/// out      resized to the layout's tile_size; items outside the picture become kNoItem
+/// holes    (blocks) 0 when called; bits are set for holes, and their items are kNoItem
 /// source   Robert and Schoepke 2006, section 4.1 (lazy multisampling)
-void repair_tile_items(const ViewMemory& view, std::span<const std::uint32_t> picture, int tile,
-    Multisample mode, ItemTile& out, std::span<std::uint64_t> holes);
+void repair_tile_items(const EyeMesh& mesh, const PictureTile& picture, Multisample mode,
+    TileItems& out, std::span<std::uint64_t> holes);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// item_runs-inl.h - which samples of a block see the same triangle?
+// item_runs-inl.h - finds the samples of a block that see the same triangle.
 #if defined(FIRSTHIT_HITS_ITEM_RUNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_ITEM_RUNS_INL_H_
 #undef FIRSTHIT_HITS_ITEM_RUNS_INL_H_
@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A mask's lanes as bits, at most 64.
+/// A bit for each lane of a mask, at most 64.
 template <class D, class M>
 HWY_INLINE std::uint64_t bits_of(D d, M mask)
 {
@@ -30,7 +30,9 @@ HWY_INLINE std::uint64_t bits_of(D d, M mask)
     return word;
 }
 
-/// Samples of a block whose item is `id`, a bit each.
+/// A bit for each sample of a block whose item is `id`.
+///
+/// items  (64) of the block, aligned to 64 bytes
 HWY_INLINE std::uint64_t samples_with(const std::uint32_t* items, std::uint32_t id)
 {
     const hn::CappedTag<std::uint32_t, 16> d;

@@ -1,4 +1,4 @@
-// known_run.h - the planes of runs that do not know theirs, and their sides.
+// known_run.h - finds the planes of runs whose plane is not cached.
 #pragma once
 
 #include "base/pure.h"
@@ -13,9 +13,11 @@
 
 namespace firsthit {
 
-/// Whether a normal n of the run's triangle, in world space, looks away from the eye. n . (p - eye) tells, p in
-/// the plane, but where the eye's own rounding to float is as large the run does.
+/// Whether a normal n of the run's triangle points away from the eye. The sign of n . (p - eye)
+/// says so for any p in the plane, unless it is as small as what the rounding of the eye to float
+/// changes; then HitRun::eye_side decides.
 ///
+/// n    in world space
 /// n_p  n . (p - eye)
 inline bool looks_away(const HitRun& run, const glm::dvec3& n, double n_p, const glm::vec3& eye)
 {
@@ -26,9 +28,9 @@ inline bool looks_away(const HitRun& run, const glm::dvec3& n, double n_p, const
     return n_p > 0;
 }
 
-/// The run with its plane, from the triangle's corners, in double: neither tiny nor huge
-/// triangles lose their normal to float's range. It is 0 where the triangle has no area
-/// or the eye is in its plane.
+/// The run with its plane, computed from the triangle's corners in double, so that neither tiny nor
+/// huge triangles leave the range of numbers. The plane is 0 if the triangle has no area or the eye
+/// is in its plane.
 inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
 {
     const glm::uvec3& corner = world.scene->index[run.item];
@@ -43,7 +45,8 @@ inline HitRun with_plane(HitRun run, const World& world, const glm::vec3& eye)
     return run;
 }
 
-/// The run, or where it does not know its plane `spare`, made to be it with its plane.
+/// The run if its plane is cached. Otherwise `spare`, which becomes a copy of the run with its
+/// plane.
 FIRSTHIT_PURE const HitRun& known_run(
     const HitRun& run, const World& world, const glm::vec3& eye, HitRun& spare)
 {

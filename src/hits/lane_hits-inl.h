@@ -1,4 +1,5 @@
-// lane_hits-inl.h - where rays meet the planes of their triangles: 1 to 8 samples in a register.
+// lane_hits-inl.h - intersects rays with the planes of their triangles, 1 to 8 samples in a
+// register.
 #if defined(FIRSTHIT_HITS_LANE_HITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_LANE_HITS_INL_H_
 #undef FIRSTHIT_HITS_LANE_HITS_INL_H_
@@ -10,7 +11,7 @@
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
 #include "hits/resolve_tile.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,33 +30,34 @@ using FloatLanes = hn::Vec<Floats>;
 inline constexpr int kHitLanes = int(hn::MaxLanes(Doubles()));
 inline constexpr std::uint64_t kAllHitLanes = (std::uint64_t(1) << kHitLanes) - 1;
 
-/// The triangle of each lane.
+/// The planes of each lane's triangle; d is the direction of the lane's ray.
 struct LanePlanes {
     Vector3<DoubleLanes> n;     // det = n . d
     Vector3<DoubleLanes> edge1; // u = edge1 . d / det
-    Vector3<DoubleLanes> edge2;
-    DoubleLanes volume; // t = volume / det
+    Vector3<DoubleLanes> edge2; // v = edge2 . d / det
+    DoubleLanes volume;         // t = volume / det
 };
 
-/// Tells the triangles of which doubles might lose more than float has, or be wrong about the eye's side:
-/// these need settle_run.
+/// Finds doubtful triangles: those for which the computation in double might lose more digits than
+/// float has, or might find the wrong side of the eye. Their runs need settle_run.
 ///
-/// With R the tile's largest |X|, |Y| or 1, and z multiplied by R: let E^2 = |v1 - v0|^2 + |v2 - v0|^2, M^2 =
-/// |v0|^2 + E^2. Then the terms of det sum up to at most E^2 (exact/careful_hit.h, Plain), those of edge1 and
-/// edge2 to 2 E M and those of volume to 3.5 E M^2 / R; and det = volume / t, t <= 1.5 M / R, for rays
-/// that hit. So nothing is lost where |volume| R > 3.5 2^-24 E M^2. It is asked with 2^-21: the test's own
-/// roundings do not matter, nor how a tile's R differs from another's: settle_run changes
-/// nothing that is precise enough.
+/// Let R be the largest |X| or |Y| of the tile's directions, or 1, and let z be multiplied by R.
+/// Let E^2 =
+/// |v1 - v0|^2 + |v2 - v0|^2 and M^2 = |v0|^2 + E^2. The terms of det sum up to at most E^2
+/// (exact/careful_hit.h, Plain), those of edge1 and edge2 to 2 E M, and those of volume to 3.5 E
+/// M^2 / R. For rays that hit, det = volume / t and t <= 1.5 M / R. So nothing is lost if |volume|
+/// R > 3.5 2^-24 E M^2. The test uses 2^-21 instead. That makes its own roundings unimportant, and
+/// also that R differs from tile to tile, since settle_run changes nothing that is precise enough.
 class DoubtfulTriangles {
   public:
-    explicit DoubtfulTriangles(const ItemTile& items)
+    explicit DoubtfulTriangles(const TileItems& items)
     {
         const glm::dvec2 most = items.rays.reach(items.size, items.size);
         const double reach = std::max({1.0, most.x, most.y});
         reach2_ = reach * reach;
     }
 
-    /// A bit for each lane.
+    /// Returns a bit for each lane, which is set if its triangle is doubtful.
     HWY_INLINE std::uint64_t find(const Vector3<DoubleLanes>& v0, const Vector3<DoubleLanes>& v1,
         const Vector3<DoubleLanes>& v2, DoubleLanes volume) const
     {
@@ -77,13 +79,13 @@ class DoubtfulTriangles {
     double reach2_;
 };
 
-/// From a plane over samples (see Planes) to one in world space.
+/// Transforms planes from eye space (see Planes) to world space.
 class WorldPlanes {
   public:
     explicit WorldPlanes(const Pencil& pencil) : axes_(glm::transpose(pencil.eye_from_world)) {}
 
-    /// HitRun::plane of number i to i + kHitLanes - 1; 0 where the triangle has no area or the eye is in
-    /// its plane.
+    /// Stores HitRun::plane of a register of triangles to plane[i] to plane[i + kHitLanes - 1]. It
+    /// is 0 if the triangle has no area or the eye is in its plane.
     HWY_INLINE void store(
         const Vector3<DoubleLanes>& n, DoubleLanes volume, glm::vec4* plane, int i) const
     {
@@ -98,7 +100,7 @@ class WorldPlanes {
         const auto largest = hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z)));
         const auto inverse = hn::Div(hn::Set(d, 1.0), largest);
         const auto height = hn::Mul(hn::Abs(volume), inverse);
-        // No number: false.
+        // This is false for NaN.
         const auto known = hn::And(hn::Gt(height, hn::Set(d, double(kLeastHeight))),
             hn::Lt(height, hn::Set(d, double(kGreatestHeight))));
         // n . (p - eye) = volume.
@@ -111,18 +113,27 @@ class WorldPlanes {
 
   private:
     static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
-    glm::dmat3 axes_; // columns: of n.x, n.y, n.z
+    glm::dmat3 axes_; // columns: the world vectors that n.x, n.y and n.z multiply
 };
 
-/// Writes the hits of the chosen samples, bit k for sample `first` + k of the block.
+/// Some samples of one register of a block.
+struct RegisterSamples {
+    int block;
+    int first;             // number in the block of the register's first sample
+    std::uint64_t samples; // bit k: sample first + k is meant
+};
+
+/// Writes the hits of the samples.
 ///
-/// rays  of the block
-HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays, int block, int first,
-    std::uint64_t samples, const HitPlaces& places)
+/// rays  of the block's samples
+HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays,
+    const RegisterSamples& lanes, const HitPlaces& places)
 {
+    const int first = lanes.first;
+    const std::uint64_t samples = lanes.samples;
     const Doubles d;
     const Floats f;
-    // Exact in float, as all directions are.
+    // The sums are exact in float, as all directions are.
     const auto along = [&](float start, const float* offsets) {
         return hn::PromoteTo(d, hn::Add(hn::Set(f, start), hn::Load(f, offsets + first)));
     };
@@ -137,7 +148,7 @@ HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays, int bloc
         return hn::Min(hn::Max(w, hn::Zero(f)), hn::Set(f, 1.0f));
     };
     const auto u = weight(planes.edge1), v = weight(planes.edge2);
-    const int at = block * kBlockSamples + first;
+    const int at = lanes.block * kBlockSamples + first;
     if (samples == kAllHitLanes) {
         hn::Store(t, f, places.t + at);
         hn::Store(u, f, places.u + at);
@@ -155,7 +166,7 @@ HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays, int bloc
     }
 }
 
-/// Makes a run right whose triangle is doubtful: hits, the eye's side and the plane.
+/// Corrects the hits, the eye's side and the plane of a run whose triangle is doubtful.
 ///
 /// rays  of the run's block
 HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
@@ -182,7 +193,9 @@ HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
     }
 }
 
-/// On which side of its plane a triangle has the eye, where that is not doubtful.
+/// HitRun::eye_side of a triangle that is not doubtful.
+///
+/// volume  see Planes
 HWY_INLINE std::int16_t side_of(double volume)
 {
     return volume > 0 ? 1 : -1;

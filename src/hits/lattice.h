@@ -1,4 +1,4 @@
-// lattice.h - which pixels' rays are shot when pictures are interleaved.
+// lattice.h - the pixels whose rays are shot when pictures are interleaved (x).
 //
 //     N = 2    N = 3     N = 5
 //     x . x .  x . . x   x . . . . x
@@ -14,13 +14,14 @@
 
 namespace firsthit {
 
-/// Every N-th pixel of each row, shifted from row to row by what keeps the nearest pixels of the
-/// lattice farthest apart, so that no pixel is far from one.
+/// Every N-th pixel of each row, shifted from row to row. The shift is the one for which the
+/// nearest neighbours in the lattice are farthest apart, so that every pixel is close to a pixel of
+/// the lattice.
 class Lattice {
   public:
     static constexpr int kMost = 16;
 
-    /// every  1 to kMost
+    /// every  N, from 1 to kMost
     explicit constexpr Lattice(int every) : every_(every), shift_(best_shift(every))
     {
         for (int phase = 0; phase < every; ++phase)
@@ -29,13 +30,14 @@ class Lattice {
                     shot_[std::size_t(phase)] |= std::uint64_t(1) << k;
     }
 
-    /// Of the 8x8 pixels from (x, y) of the picture on, both from 0; bits in tile order.
+    /// A bit for each of the 8x8 pixels from (x, y) of the picture on that is in the lattice, in
+    /// the order of base/tile_order.h. x and y are at least 0.
     constexpr std::uint64_t shot(int x, int y) const { return shot_[std::size_t(phase(x, y))]; }
 
-    /// Where in the lattice's period that is, 0 to N - 1; (phase, 0) is at the same place.
+    /// The column 0 to N - 1 for which (column, 0) lies like (x, y) in the lattice.
     constexpr int phase(int x, int y) const { return (x + shift_ * y) % every_; }
 
-    /// Pixel (x, y) of the picture is shot where (x + shift y) % N = 0.
+    /// Pixel (x, y) of the picture is in the lattice if (x + shift() y) % N = 0.
     constexpr int shift() const { return shift_; }
 
   private:
@@ -43,7 +45,7 @@ class Lattice {
     {
         int best = 0, farthest = 0;
         for (int shift = 0; shift < every; ++shift) {
-            int nearest = every * every; // squared distance to the next of the same row
+            int nearest = every * every; // squared distance of the nearest neighbours; N^2 in a row
             for (int y = 1; y < every; ++y) {
                 const int x = shift * y % every;
                 const int across = std::min(x, every - x);

@@ -1,7 +1,7 @@
-// picture_window.h - an item picture as one tile sees it.
+// picture_window.h - the part of a picture of items that lies in and around one tile.
 #pragma once
 
-#include "visibility/raster/item_tile.h"
+#include "visibility/tile_items.h"
 
 #include <firsthit/scene.h>
 
@@ -12,12 +12,12 @@
 
 namespace firsthit {
 
-/// (x, y) are samples from the tile's first one, to the right and down; outside the picture there
-/// is no item.
+/// Reads a picture of items by coordinates (x, y) from a tile's first sample, to the right and
+/// down. Outside the picture every item is kNoItem.
 class PictureWindow {
   public:
-    /// picture  (height, width)
-    /// x, y     of the tile's first sample in the picture
+    /// picture  (height, width) row 0 at the top
+    /// x, y     the tile's first sample, in the picture
     PictureWindow(std::span<const std::uint32_t> picture, int width, int height, int x, int y)
         : picture_(picture),
           width_(width),
@@ -34,7 +34,7 @@ class PictureWindow {
         return row(py)[px];
     }
 
-    /// `count` items of row y from x on.
+    /// Copies `count` items of row y, from x on.
     void copy_row(int x, int y, int count, std::uint32_t* to) const
     {
         const int px = x_ + x, py = y_ + y;
@@ -47,8 +47,8 @@ class PictureWindow {
         std::fill(to + last, to + count, kNoItem);
     }
 
-    /// All items of the tile, in tile order.
-    void copy(ItemTile& tile) const
+    /// Copies all items of the tile, in tile order.
+    void copy(TileItems& tile) const
     {
         for (int y = 0; y < tile.size; ++y) {
             std::uint32_t* to = tile.item.data() + tile_offset(0, y, tile.size);

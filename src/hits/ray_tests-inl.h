@@ -1,10 +1,11 @@
-// ray_tests-inl.h - triangles against the rays of a block's samples: is_hit (exact/hit.h), a
+// ray_tests-inl.h - tests triangles against the rays of a block's samples: is_hit (exact/hit.h), a
 // register of samples at a time.
 //
-// An edge is e = n . (x, y, 1), n = a x b. Each component of n has one rounding, as products of two
-// floats are exact in double; with the product and two sums each term carries at most four, so e is
-// within 4 u (|n.x x| + |n.y y| + |n.z|), u = 2^-53, and a little of higher order. kEdgeSlack is
-// twice that, with the largest |x| and |y| of the tile: its own roundings are a few u of it.
+// An edge function is e = n . (x, y, 1) with n = a x b. Each component of n has one rounding, since
+// products of two floats are exact in double. With the product and two sums each term carries at
+// most four, so e is within 4 u (|n.x x| + |n.y y| + |n.z|), u = 2^-53, apart from terms of higher
+// order. kEdgeSlack stands for twice that, with the largest |x| and |y| of the tile; its own
+// roundings are a few u of it.
 #if defined(FIRSTHIT_HITS_RAY_TESTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_RAY_TESTS_INL_H_
 #undef FIRSTHIT_HITS_RAY_TESTS_INL_H_
@@ -14,8 +15,9 @@
 
 #include "hits/block_samples.h"
 #include "hits/item_runs-inl.h"
-#include "visibility/raster/set_up-inl.h"
-#include "visibility/bin/view_memory.h"
+#include "visibility/bin/eye_mesh.h"
+#include "visibility/triangle_planes-inl.h"
+#include "visibility/tile_items.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,25 +26,25 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-constexpr int kRayTests = 64; // set up together
+constexpr int kRayTests = 64; // tests of a batch
 constexpr double kEdgeSlack = 8 * kUlp;
 
-/// Which samples of which block are tested against a triangle.
+/// A triangle and the samples of a block that are tested against it.
 struct RayTest {
     std::uint32_t triangle;
     std::uint32_t block;
     std::uint64_t samples;
 };
 
-/// A batch of tests and its triangles, structure of arrays.
+/// A batch of tests and its triangles, as a structure of arrays.
 struct RayTests {
     int count = 0;
     RayTest test[kRayTests];
     alignas(64) float corner[9][kRayTests];   // x0 y0 z0 x1 ...
-    alignas(64) double edge[3][3][kRayTests]; // n of each edge, positive inside
-    alignas(64) double error[3][kRayTests];   // of e, anywhere in the tile
+    alignas(64) double edge[3][3][kRayTests]; // x, y and z of n of each edge; e is positive inside
+    alignas(64) double error[3][kRayTests];   // bounds of the error of e anywhere in the tile
     std::uint64_t usable = 0;                 // bit i: triangle i can be hit
-    std::uint64_t certain = 0;                // and on which side the eye is, is known
+    std::uint64_t certain = 0; // bit i: on which side of triangle i the eye is, is certain
 
     Corners corners(int i) const
     {
@@ -52,18 +54,19 @@ struct RayTests {
     }
 };
 
-inline glm::vec3 direction_of(const ItemTile& tile, std::uint32_t block, int sample)
+/// The direction of a sample's ray, in eye space.
+inline glm::vec3 direction_of(const TileItems& tile, std::uint32_t block, int sample)
 {
     return tile.block_rays(int(block)).direction(block_x(sample), block_y(sample));
 }
 
-/// Fetches the triangles and sets them up for the tile's rays.
-HWY_INLINE void set_up_tests(const ViewMemory& view, const ItemTile& tile, RayTests& tests)
+/// Loads the triangles of the tests and sets them up for the tile's rays.
+HWY_INLINE void set_up_tests(const EyeMesh& mesh, const TileItems& tile, RayTests& tests)
 {
     for (int i = 0; i < tests.count; ++i) {
-        const glm::uvec3 index = view.index[tests.test[i].triangle];
+        const glm::uvec3 index = mesh.index[tests.test[i].triangle];
         for (int k = 0; k < 3; ++k) {
-            const glm::vec4& p = view.corner[index[k]];
+            const glm::vec4& p = mesh.corner[index[k]];
             tests.corner[3 * k][i] = p.x;
             tests.corner[3 * k + 1][i] = p.y;
             tests.corner[3 * k + 2][i] = p.z;
@@ -104,9 +107,9 @@ HWY_INLINE void set_up_tests(const ViewMemory& view, const ItemTile& tile, RayTe
     }
 }
 
-/// The samples of test i that its triangle is hit by, a bit each.
+/// The samples of test i whose rays hit its triangle, a bit each.
 HWY_INLINE std::uint64_t hit_samples(
-    const RayTests& tests, int i, const ItemTile& tile, Effort& effort)
+    const RayTests& tests, int i, const TileItems& tile, Effort& effort)
 {
     const RayTest& test = tests.test[i];
     if (!(tests.usable >> i & 1)) return 0;
@@ -120,7 +123,7 @@ HWY_INLINE std::uint64_t hit_samples(
         const std::uint64_t all = (std::uint64_t(1) << lanes) - 1;
         std::uint64_t missed = 0;
         for (std::uint64_t rest = test.samples; rest;) {
-            const int first = std::countr_zero(rest) / lanes * lanes; // of a register
+            const int first = std::countr_zero(rest) / lanes * lanes; // sample of a register
             rest &= ~(all << first);
             const auto x = hn::Add(x0, hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.x + first)));
             const auto y = hn::Add(y0, hn::PromoteTo(d, hn::Load(f, kBlockSamplesXY.y + first)));

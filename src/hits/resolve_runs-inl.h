@@ -1,7 +1,8 @@
-// resolve_runs-inl.h - hits of a block that sees some triangles, neither few nor nearly as many as samples.
+// resolve_runs-inl.h - finds the hits of a block that sees several triangles, but many fewer than
+// it has samples.
 //
-// The block's triangles are set up side by side, and each sample picks its own: every register of
-// samples is met once, however its runs lie.
+// The triangles of the block are set up side by side, and then each sample picks its own one. So
+// every register of samples is intersected once, wherever its runs lie.
 #if defined(FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_
 #undef FIRSTHIT_HITS_RESOLVE_RUNS_INL_H_
@@ -18,25 +19,25 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX3
-/// The planes of a block's triangles, a column for each.
+/// The planes of the triangles of a block's runs, a column for each run.
 struct RunPlanes {
     static constexpr std::size_t kRuns = kMostRunLanes;
     alignas(64) double n[3][kRuns], edge1[3][kRuns], edge2[3][kRuns]; // see LanePlanes
     alignas(64) double volume[kRuns];
-    std::uint64_t doubtful = 0;         // a bit for each
+    std::uint64_t doubtful = 0;         // a bit for each run, see DoubtfulTriangles
     alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 };
 
-HWY_INLINE void set_up_planes(const ViewMemory& view, const WorldPlanes& world,
-    const DoubtfulTriangles& doubtful, std::span<const HitRun> runs, RunPlanes& out)
+HWY_INLINE void set_up_planes(const TileResolve& tile, std::span<const HitRun> runs, RunPlanes& out)
 {
+    const EyeMesh& mesh = tile.mesh;
     const Doubles d;
     for (std::size_t i = 0; i < runs.size(); i += kHitLanes) {
         glm::uvec3 index[kHitLanes];
         for (std::size_t lane = 0; lane < kHitLanes; ++lane)
-            index[lane] = view.index[runs[i + lane < runs.size() ? i + lane : 0].item];
-        const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
-                   c2 = fetch_corner(view, index, 2);
+            index[lane] = mesh.index[runs[i + lane < runs.size() ? i + lane : 0].item];
+        const auto c0 = fetch_corner(mesh, index, 0), c1 = fetch_corner(mesh, index, 1),
+                   c2 = fetch_corner(mesh, index, 2);
         const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
         const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
         const auto keep = [&](const Vector3<DoubleLanes>& v, double(&to)[3][RunPlanes::kRuns]) {
@@ -48,19 +49,19 @@ HWY_INLINE void set_up_planes(const ViewMemory& view, const WorldPlanes& world,
         keep(p.edge[1], out.edge1);
         keep(p.edge[2], out.edge2);
         hn::Store(p.volume, d, out.volume + i);
-        out.doubtful |= doubtful.find(v0, v1, v2, p.volume) << i;
-        world.store(p.n, p.volume, out.plane, int(i));
+        out.doubtful |= tile.doubtful.find(v0, v1, v2, p.volume) << i;
+        tile.world.store(p.n, p.volume, out.plane, int(i));
     }
 }
 
-/// Hits of a block with at most kMostRunLanes runs, and the sides and planes of these.
-HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
-    const WorldPlanes& world, const DoubtfulTriangles& doubtful, std::span<HitRun> runs,
-    const HitPlaces& places)
+/// Finds the hits of a block, and the sides and planes of its runs.
+///
+/// runs  all runs of the block, at most kMostRunLanes
+HWY_INLINE void resolve_runs(const TileResolve& tile, std::span<HitRun> runs)
 {
-    const LatticeTile rays = items.block_rays(runs[0].block);
+    const LatticeTile rays = tile.items.block_rays(runs[0].block);
     RunPlanes table;
-    set_up_planes(view, world, doubtful, runs, table);
+    set_up_planes(tile, runs, table);
     std::uint64_t covered = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         HitRun& run = runs[k];
@@ -80,13 +81,13 @@ HWY_INLINE void resolve_runs(const ViewMemory& view, const ItemTile& items,
         };
         const LanePlanes planes{
             pick3(table.n), pick3(table.edge1), pick3(table.edge2), pick(table.volume)};
-        meet(planes, rays, runs[0].block, first, samples, places);
+        meet(planes, rays, {runs[0].block, first, samples}, tile.places);
     }
-    // Lanes beyond the last run have the first one's triangle.
+    // Lanes beyond the last run have the first run's triangle, and are left out here.
     for (std::uint64_t rest = table.doubtful & ((std::uint64_t(1) << runs.size()) - 1); rest;
          rest &= rest - 1) {
         HitRun& run = runs[std::size_t(std::countr_zero(rest))]; // seldom
-        settle_run(corners_of(view, run.item), world, rays, run, places);
+        settle_run(corners_of(tile.mesh, run.item), tile.world, rays, run, tile.places);
     }
 }
 #endif

@@ -1,6 +1,7 @@
-// resolve_samples-inl.h - hits of a block whose samples mostly have triangles of their own.
+// resolve_samples-inl.h - finds the hits of a block whose samples mostly see different triangles.
 //
-// Each lane of a register fetches and sets up its own triangle; nothing is kept for a run.
+// Each lane of a register loads and sets up its own triangle, so a triangle that several samples
+// see is set up several times.
 #if defined(FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_
 #undef FIRSTHIT_HITS_RESOLVE_SAMPLES_INL_H_
@@ -9,7 +10,7 @@
 #endif
 
 #include "hits/lane_hits-inl.h"
-#include "visibility/bin/view_memory.h"
+#include "visibility/bin/eye_mesh.h"
 
 #include <firsthit/scene.h>
 
@@ -19,21 +20,26 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Corners corners_of(const ViewMemory& view, std::uint32_t item)
-{
-    const glm::uvec3 index = view.index[item];
-    return {glm::vec3(view.corner[index.x]), glm::vec3(view.corner[index.y]),
-        glm::vec3(view.corner[index.z])};
-}
+/// What the hits of a tile are found from, and where they go.
+struct TileResolve {
+    const EyeMesh& mesh;
+    const TileItems& items;
+    const WorldPlanes& world;
+    const DoubtfulTriangles& doubtful;
+    const HitPlaces& places;
+};
 
-/// Corner number `corner` of each lane's triangle.
+/// Loads corner number `corner` of each lane's triangle.
+///
+/// index  (lanes) the vertices of the triangles
 HWY_INLINE Vector3<FloatLanes> fetch_corner(
-    const ViewMemory& view, const glm::uvec3* index, int corner)
+    const EyeMesh& mesh, const glm::uvec3* index, int corner)
 {
     const Floats f;
-    const auto place = [&](int lane) { return &view.corner[index[lane][corner]].x; };
+    const auto place = [&](int lane) { return &mesh.corner[index[lane][corner]].x; };
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-    // One or two 4x4 matrices are transposed: of lanes 0 to 3 in the lower half.
+    // Transpose one or two 4x4 matrices. That of lanes 0 to 3 is in the lower halves of the
+    // registers.
     const auto rows = [&](int lane) {
         const hn::CappedTag<float, 4> four;
         const auto low = hn::Load(four, place(lane));
@@ -66,15 +72,16 @@ HWY_INLINE Vector3<DoubleLanes> wide(const Vector3<FloatLanes>& v)
     return {hn::PromoteTo(d, v.x), hn::PromoteTo(d, v.y), hn::PromoteTo(d, v.z)};
 }
 
-/// Hits of all samples of a block, and the sides and planes of its runs.
-HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
-    const WorldPlanes& world, const DoubtfulTriangles& doubtful, std::span<HitRun> runs,
-    const HitPlaces& places)
+/// Finds the hits of all samples of a block, and the sides and planes of its runs.
+///
+/// runs  all runs of the block
+HWY_INLINE void resolve_samples(const TileResolve& tile, std::span<HitRun> runs)
 {
+    const EyeMesh& mesh = tile.mesh;
     const Doubles d;
     const int block = runs[0].block;
-    const LatticeTile rays = items.block_rays(block);
-    const std::uint32_t* item = items.item.data() + block * kBlockSamples;
+    const LatticeTile rays = tile.items.block_rays(block);
+    const std::uint32_t* item = tile.items.item.data() + block * kBlockSamples;
     std::uint64_t covered = 0, open = 0;
     for (const HitRun& run : runs) covered |= run.samples;
 
@@ -86,16 +93,16 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
         glm::uvec3 index[kHitLanes];
         for (int lane = 0; lane < kHitLanes; ++lane) {
             const std::uint32_t id = item[first + lane];
-            index[lane] = view.index[id == kNoItem ? runs[0].item : id];
+            index[lane] = mesh.index[id == kNoItem ? runs[0].item : id];
         }
-        const auto c0 = fetch_corner(view, index, 0), c1 = fetch_corner(view, index, 1),
-                   c2 = fetch_corner(view, index, 2);
+        const auto c0 = fetch_corner(mesh, index, 0), c1 = fetch_corner(mesh, index, 1),
+                   c2 = fetch_corner(mesh, index, 2);
         const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
         const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
         hn::Store(p.volume, d, volume + first);
-        world.store(p.n, p.volume, plane, first);
-        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, block, first, samples, places);
-        open |= (doubtful.find(v0, v1, v2, p.volume) & samples) << first;
+        tile.world.store(p.n, p.volume, plane, first);
+        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, {block, first, samples}, tile.places);
+        open |= (tile.doubtful.find(v0, v1, v2, p.volume) & samples) << first;
     }
     for (HitRun& run : runs) {
         const int sample = std::countr_zero(run.samples);
@@ -105,7 +112,8 @@ HWY_INLINE void resolve_samples(const ViewMemory& view, const ItemTile& items,
     if (open == 0) [[likely]]
         return;
     for (HitRun& run : runs)
-        if (run.samples & open) settle_run(corners_of(view, run.item), world, rays, run, places);
+        if (run.samples & open)
+            settle_run(corners_of(mesh, run.item), tile.world, rays, run, tile.places);
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,8 +1,8 @@
-// resolve_tile.cpp - where exactly does each sample's ray hit its item?
+// resolve_tile.cpp - finds where exactly each sample's ray hits the triangle that the sample sees.
 //
-// Neighbouring samples mostly see the same triangle: it is fetched and set up once for each
-// block that it is seen in, and then meets only the registers of its samples. In blocks with many
-// triangles each sample sets up its own.
+// Neighbouring samples mostly see the same triangle. It is loaded and set up once for each block in
+// which it is seen, and is then intersected with the registers of its samples only. In blocks with
+// many triangles each sample sets up its own one.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hits/resolve_tile.cpp"
 #include "base/simd.h"
@@ -13,7 +13,7 @@
 #include "hits/resolve_runs-inl.h"
 #include "hits/resolve_samples-inl.h"
 #include "hits/resolve_tile.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 #include <firsthit/scene.h>
 
@@ -26,12 +26,13 @@ namespace firsthit {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr int kRuns = 64; // set up together
+constexpr int kRuns = 64; // runs of a batch
 
-/// Runs of a block from which on its samples are set up one by one (measured).
+/// If a block has at least so many runs, its samples are set up one by one (measured).
 constexpr std::size_t kManyRuns = 5;
 
-/// Runs of a block from which on samples pick out of them, if they can (measured).
+/// If a block has at least so many runs, its samples pick theirs (resolve_runs), where the
+/// instruction set allows (measured).
 [[maybe_unused]] constexpr std::size_t kSomeRuns = 3;
 
 /// A batch of runs and the planes of their triangles, structure of arrays.
@@ -43,7 +44,7 @@ struct RunBatch {
     alignas(64) double edge1[3][kRuns];
     alignas(64) double edge2[3][kRuns];
     alignas(64) double volume[kRuns];
-    std::uint64_t doubtful = 0;         // a bit for each: see DoubtfulTriangles
+    std::uint64_t doubtful = 0;         // a bit for each run, see DoubtfulTriangles
     alignas(64) glm::vec4 plane[kRuns]; // see HitRun
 
     Corners corners(int i) const
@@ -64,6 +65,7 @@ struct RunBatch {
     }
 };
 
+/// Writes to the places of a block what samples without an item have.
 void fill_misses(int block, const HitPlaces& places)
 {
     const int first = block * kBlockSamples;
@@ -72,12 +74,15 @@ void fill_misses(int block, const HitPlaces& places)
     std::fill_n(places.v + first, kBlockSamples, 0.0f);
 }
 
-/// Appends the runs of a block, in the order of their first samples.
+/// Appends the runs of a block in the order of their first samples, and returns the end.
+///
+/// item  (64) of the block
+/// rest  bits of the samples that have an item
 HWY_INLINE HitRun* find_block_runs(
     const std::uint32_t* item, int block, std::uint64_t rest, HitRun* next)
 {
-    // One after the other: each takes its samples away from those to look at. That is a chain of
-    // some 25 cycles a run.
+    // Find the first runs one after the other. Each one removes its samples from the rest, so this
+    // is a chain of dependent steps of some 25 cycles a run.
     for (int few = 0; few < 8; ++few) {
         if (rest == 0) return next;
         const std::uint32_t id = item[std::countr_zero(rest)];
@@ -85,7 +90,8 @@ HWY_INLINE HitRun* find_block_runs(
         *next++ = {.item = id, .block = std::uint16_t(block), .samples = samples};
         rest &= ~samples;
     }
-    // There are many: all samples side by side, and the first of each run writes it.
+    // There are many runs. Find the run of each remaining sample independently of the others; it
+    // counts only for its first sample.
     for (; rest; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
         const std::uint64_t samples = samples_with(item, item[k]);
@@ -95,8 +101,9 @@ HWY_INLINE HitRun* find_block_runs(
     return next;
 }
 
-/// Finds the runs of all blocks, and marks the samples that are in none. Returns how many.
-std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
+/// Finds the runs of all blocks, and fills `covered` and what samples without an item have. Returns
+/// the number of runs.
+std::size_t find_runs(const TileItems& items, const HitPlaces& places)
 {
     HitRun* next = places.run;
     for (int block = 0; block < items.blocks(); ++block) {
@@ -111,15 +118,16 @@ std::size_t find_runs(const ItemTile& items, const HitPlaces& places)
     return std::size_t(next - places.run);
 }
 
-void set_up_runs(const ViewMemory& view, const WorldPlanes& world,
-    const DoubtfulTriangles& doubtful, RunBatch& batch)
+/// Computes the planes of the batch's runs.
+void set_up_runs(const TileResolve& tile, RunBatch& batch)
 {
-    static_assert(kRuns == 64, "a bit for each");
+    const EyeMesh& mesh = tile.mesh;
+    static_assert(kRuns == 64, "doubtful has a bit for each run");
     batch.doubtful = 0;
     for (int i = 0; i < batch.count; ++i) {
-        const glm::uvec3 index = view.index[batch.run[i]->item];
+        const glm::uvec3 index = mesh.index[batch.run[i]->item];
         for (int k = 0; k < 3; ++k) {
-            const glm::vec4& p = view.corner[index[k]];
+            const glm::vec4& p = mesh.corner[index[k]];
             batch.corner[3 * k][i] = p.x;
             batch.corner[3 * k + 1][i] = p.y;
             batch.corner[3 * k + 2][i] = p.z;
@@ -144,88 +152,90 @@ void set_up_runs(const ViewMemory& view, const WorldPlanes& world,
         store(p.edge[1], batch.edge1);
         store(p.edge[2], batch.edge2);
         hn::Store(p.volume, d, batch.volume + i);
-        batch.doubtful |= doubtful.find(v0, v1, v2, p.volume) << i;
-        world.store(p.n, p.volume, batch.plane, i);
+        batch.doubtful |= tile.doubtful.find(v0, v1, v2, p.volume) << i;
+        tile.world.store(p.n, p.volume, batch.plane, i);
     }
 }
 
-/// Hits of the batch's runs, their sides and planes; the batch is empty then.
-void resolve_batch(const ViewMemory& view, const ItemTile& items, const WorldPlanes& world,
-    const DoubtfulTriangles& doubtful, RunBatch& batch, const HitPlaces& places)
+/// Finds the hits of the batch's runs, and their sides and planes. The batch is empty afterwards.
+void resolve_batch(const TileResolve& tile, RunBatch& batch)
 {
-    set_up_runs(view, world, doubtful, batch);
+    set_up_runs(tile, batch);
     for (int i = 0; i < batch.count; ++i) {
         HitRun& run = *batch.run[i];
         run.eye_side = side_of(batch.volume[i]);
         run.plane = batch.plane[i];
-        const LatticeTile rays = items.block_rays(run.block);
+        const LatticeTile rays = tile.items.block_rays(run.block);
         const LanePlanes planes = batch.planes(i);
         for (int first = 0; first < kBlockSamples; first += kHitLanes) {
             const std::uint64_t samples = run.samples >> first & kAllHitLanes;
-            if (samples != 0) meet(planes, rays, run.block, first, samples, places);
+            if (samples != 0) meet(planes, rays, {run.block, first, samples}, tile.places);
         }
         if (batch.doubtful >> i & 1) [[unlikely]]
-            settle_run(batch.corners(i), world, rays, run, places);
+            settle_run(batch.corners(i), tile.world, rays, run, tile.places);
     }
     batch.count = 0;
 }
 
-/// Asks for the memory of the triangles of runs to come: of their indices, and some later of their
-/// corners. Tiny triangles are rasterised before there is a tile, so nobody has fetched them lately.
-class AskAhead {
+/// Prefetches the triangles of runs that come soon: first their index, later their corners. Tiny
+/// triangles were rasterised before the tiles, so their memory has not been used lately.
+class RunPrefetch {
   public:
-    AskAhead(const ViewMemory& view, std::span<const HitRun> runs) : view_(view), runs_(runs) {}
+    RunPrefetch(const EyeMesh& mesh, std::span<const HitRun> runs) : mesh_(mesh), runs_(runs) {}
 
-    /// done  runs that are
-    HWY_INLINE void go_on(std::size_t done)
+    /// Prefetches what comes after the first `done` runs.
+    HWY_INLINE void advance(std::size_t done)
     {
         constexpr std::size_t kCorners = 96, kIndices = 192; // runs ahead
         for (const std::size_t end = std::min(runs_.size(), done + kIndices); index_ < end;
              ++index_)
-            __builtin_prefetch(&view_.index[runs_[index_].item]);
+            __builtin_prefetch(&mesh_.index[runs_[index_].item]);
         corner_ = std::max(corner_, done);
         for (const std::size_t end = std::min(runs_.size(), done + kCorners); corner_ < end;
              ++corner_) {
-            const glm::uvec3& index = view_.index[runs_[corner_].item];
-            for (int k = 0; k < 3; ++k) __builtin_prefetch(&view_.corner[index[k]]);
+            const glm::uvec3& index = mesh_.index[runs_[corner_].item];
+            for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh_.corner[index[k]]);
         }
     }
 
   private:
-    const ViewMemory& view_;
+    const EyeMesh& mesh_;
     std::span<const HitRun> runs_;
-    std::size_t index_ = 0, corner_ = 0;
+    std::size_t index_ = 0, corner_ = 0; // runs whose index and whose corners were prefetched
 };
 
-std::size_t resolve(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
+/// Returns the number of runs.
+std::size_t resolve(
+    const EyeMesh& mesh, const Pencil& pencil, const TileItems& items, const HitPlaces& places)
 {
     const std::size_t count = find_runs(items, places);
-    AskAhead ahead(view, {places.run, count});
-    const WorldPlanes world(view.pencil);
+    RunPrefetch prefetch(mesh, {places.run, count});
+    const WorldPlanes world(pencil);
     const DoubtfulTriangles doubtful(items);
+    const TileResolve tile{mesh, items, world, doubtful, places};
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {
         for (end = first + 1; end < count && places.run[end].block == places.run[first].block;)
             ++end;
         const std::span<HitRun> runs(places.run + first, end - first);
-        if (runs.size() >= kManyRuns) ahead.go_on(end);
+        if (runs.size() >= kManyRuns) prefetch.advance(end);
 #if HWY_TARGET == HWY_AVX3
         if (runs.size() >= kSomeRuns && runs.size() <= kMostRunLanes) {
-            resolve_runs(view, items, world, doubtful, runs, places);
+            resolve_runs(tile, runs);
             continue;
         }
 #endif
         if (runs.size() >= kManyRuns) {
-            resolve_samples(view, items, world, doubtful, runs, places);
+            resolve_samples(tile, runs);
             continue;
         }
         for (HitRun& run : runs) {
             batch.run[batch.count++] = &run;
-            if (batch.count == kRuns) resolve_batch(view, items, world, doubtful, batch, places);
+            if (batch.count == kRuns) resolve_batch(tile, batch);
         }
     }
-    resolve_batch(view, items, world, doubtful, batch, places);
+    resolve_batch(tile, batch);
     return count;
 }
 
@@ -249,12 +259,13 @@ void resize(HitMemory& memory, int tile_size, std::size_t tiles)
         plane->resize(tiles * memory.samples);
 }
 
-HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPlaces& places)
+HitTile resolve_tile(
+    const EyeMesh& mesh, const Pencil& pencil, const TileItems& items, const HitPlaces& places)
 {
-    const std::size_t runs = HWY_DYNAMIC_DISPATCH(resolve)(view, items, places);
+    const std::size_t runs = HWY_DYNAMIC_DISPATCH(resolve)(mesh, pencil, items, places);
     HitTile hits;
     hits.size = items.size;
-    hits.rays = world_rays(view.pencil, items.rays);
+    hits.rays = world_rays(pencil, items.rays);
     hits.runs = std::span<const HitRun>(places.run, runs);
     hits.covered = places.covered;
     hits.item = places.items ? places.item : nullptr;

@@ -1,14 +1,16 @@
-// resolve_tile.h - where exactly does each sample's ray hit its item?
+// resolve_tile.h - finds where exactly each sample's ray hits the triangle that the sample sees.
 #pragma once
 
 #include "base/buffer.h"
+#include "exact/pencil.h"
 #include "hits/hit_tile.h"
-#include "visibility/raster/item_tile.h"
-#include "visibility/bin/view_memory.h"
+#include "visibility/bin/eye_mesh.h"
+#include "visibility/tile_items.h"
 
 namespace firsthit {
 
-/// Where the hits of one tile go: room for size * size of each, aligned to 64 bytes.
+/// Where the hits of one tile are written. Each array has room for size * size elements and is
+/// aligned to 64 bytes.
 struct HitPlaces {
     HitRun* run = nullptr;
     std::uint64_t* covered = nullptr; // (blocks)
@@ -19,17 +21,17 @@ struct HitPlaces {
     bool items = true, misses = true; // see HitMemory
 };
 
-/// Room for the hits of some tiles.
+/// Memory for the hits of some tiles.
 struct HitMemory {
     Buffer<HitRun, Pages::small> run; // (tiles, samples); a tile fills the start of its part
     Buffer<std::uint64_t> covered;    // (tiles, blocks)
-    Buffer<std::uint32_t> item;
-    Buffer<float> t, u, v;   // (tiles, samples)
-    std::size_t samples = 0; // of a tile
+    Buffer<std::uint32_t> item;       // (tiles, samples)
+    Buffer<float> t, u, v;            // (tiles, samples)
+    std::size_t samples = 0;          // samples of a tile
 
-    // What few ask for takes memory's time to write and to read.
-    bool items = true;  // HitTile::item is there
-    bool misses = true; // of blocks without any item, t, u, v and item are written too
+    // Writing and reading memory takes time, so what only some callers need can be left out.
+    bool items = true;  // HitTile::item is filled
+    bool misses = true; // t, u, v and item are also filled for blocks without any item
 
     HitPlaces of(std::size_t tile)
     {
@@ -39,16 +41,21 @@ struct HitMemory {
     }
 };
 
-/// Prepares the memory; allocates where there are more or larger tiles than before.
+/// Prepares the memory for a number of tiles of tile_size x tile_size samples. Allocates only to
+/// grow.
 void resize(HitMemory& memory, int tile_size, std::size_t tiles);
 
-/// Shoots one ray per sample at the triangle that the item buffer names, which it hits. t, u and v come from
-/// one division in double, rounded once, or where that could lose too much from exact sums: t is within one
-/// unit in the last place of the exact depth, u and v are within 2^-24, and eye_side is exact,
-/// whatever the triangle.
-/// The result points into `places`.
+/// Intersects the ray of each sample with the triangle that its item names, which it hits. t, u and
+/// v come from one division in double that is rounded once, or from exact sums where that could
+/// lose too much. t is within one unit in the last place of the exact depth, u and v are within
+/// 2^-24, and HitRun::eye_side is exact, for every triangle.
 ///
-/// source  Robert and Schoepke 2006, section 4.1 (one lookup, one intersection test)
-HitTile resolve_tile(const ViewMemory& view, const ItemTile& items, const HitPlaces& places);
+/// mesh     in CornerSpace::eye
+/// pencil   of the mesh
+/// items    of a tile of the pencil; all are below the number of triangles, or kNoItem
+/// returns  hits that lie in `places`
+/// source   Robert and Schoepke 2006, section 4.1 (one lookup, one intersection test)
+HitTile resolve_tile(
+    const EyeMesh& mesh, const Pencil& pencil, const TileItems& items, const HitPlaces& places);
 
 } // namespace firsthit

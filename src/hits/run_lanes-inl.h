@@ -1,7 +1,8 @@
-// run_lanes-inl.h - what is known of a block's runs, brought to the samples of a register.
+// run_lanes-inl.h - distributes the values of a block's runs to the samples of a register.
 //
-// Of up to 16 runs the values lie in one or two registers, out of which AVX-512 picks those of 8 or 16
-// samples in one instruction. Other instruction sets have no such thing for so many values.
+// The values of up to 16 runs fit into one or two registers, from which AVX-512 picks those of 8 or
+// 16 samples with one instruction. Other instruction sets have no such instruction for so many
+// values.
 #if defined(FIRSTHIT_HITS_RUN_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_RUN_LANES_INL_H_
 #undef FIRSTHIT_HITS_RUN_LANES_INL_H_
@@ -18,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Runs of a block at most, for which there is RunLanes; 0: there is none.
+/// The most runs of a block that RunLanes accepts; 0 where there is no RunLanes.
 #if HWY_TARGET == HWY_AVX3
 inline constexpr std::size_t kMostRunLanes = 16;
 #else
@@ -26,10 +27,11 @@ inline constexpr std::size_t kMostRunLanes = 0;
 #endif
 
 #if HWY_TARGET == HWY_AVX3
-/// The run of each sample of a block, by its number among the block's. Samples without one have 0.
+/// The number among the block's runs of the run that each sample of a block is in; 0 for samples in
+/// none.
 class RunLanes {
   public:
-    /// runs  of one block, at most kMostRunLanes
+    /// runs  all runs of one block, at most kMostRunLanes
     HWY_INLINE explicit RunLanes(std::span<const HitRun> runs)
     {
         __m512i number = _mm512_setzero_si512();
@@ -39,7 +41,9 @@ class RunLanes {
         _mm512_store_si512(number_, number);
     }
 
-    /// From a value for each run to those of the samples [first, first + 8).
+    /// Returns the values of the runs that the samples [first, first + 8) are in.
+    ///
+    /// value  of each run
     HWY_INLINE __m512d of_samples(int first, const double (&value)[kMostRunLanes]) const
     {
         const __m512i number = _mm512_cvtepu8_epi64(
@@ -47,7 +51,7 @@ class RunLanes {
         return _mm512_permutex2var_pd(_mm512_load_pd(value), number, _mm512_load_pd(value + 8));
     }
 
-    /// Of the samples [first, first + 16).
+    /// The same for the samples [first, first + 16).
     HWY_INLINE __m512 of_samples(int first, __m512 value) const
     {
         const __m512i number =

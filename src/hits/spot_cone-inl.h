@@ -1,4 +1,5 @@
-// spot_cone-inl.h - a spot's cone: which directions have light, a register at a time.
+// spot_cone-inl.h - a spot's cone: how much light goes in a direction, for a register of
+// directions.
 #if defined(FIRSTHIT_HITS_SPOT_CONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_HITS_SPOT_CONE_INL_H_
 #undef FIRSTHIT_HITS_SPOT_CONE_INL_H_
@@ -15,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 #include "glsl/spot_cone.glsl"
 
-/// As those of spot_cone.h.
+/// See the functions of these names in spot_cone.h.
 FIRSTHIT_PURE real spot_share(const SpotCone& cone, real3 d)
 {
     const real3 axis(cone.axis.x, cone.axis.y, cone.axis.z);

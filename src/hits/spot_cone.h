@@ -1,7 +1,7 @@
-// spot_cone.h - a spot's cone: which directions have light, one at a time.
+// spot_cone.h - a spot's cone: how much light goes in a direction, for one direction at a time.
 //
-// The text (src/glsl/spot_cone.glsl) and so the bits are those of spot_cone-inl.h, which takes a
-// register of directions. Shadows and shading ask here, so that they agree where a cone ends.
+// It compiles the same text as spot_cone-inl.h (src/glsl/spot_cone.glsl), and so computes the same
+// bits. Shadows and shading both use these functions, so that they agree on where a cone ends.
 #pragma once
 
 #include "base/scalar_real.h"
@@ -20,14 +20,14 @@ namespace scalar {
 #include "glsl/spot_cone.glsl"
 } // namespace scalar
 
-/// The numbers that the text asks for.
+/// A spot's cone, in the numbers that the text takes. The versine of an angle is 1 - cos(angle).
 struct SpotCone {
-    glm::vec3 axis{0, -1, 0}; // unit: the way the light goes
+    glm::vec3 axis{0, -1, 0}; // unit vector in the direction of the light
     float outer = 1;          // versine of the half angle where the light ends
-    float inv_width = 1;      // one over its difference to that of the half angle of full light
+    float inv_width = 1;      // 1 / (outer - versine of the half angle where the light is full)
 };
 
-/// light  a spot that is sound (scene/model/check_light.h)
+/// light  a spot that has passed the checks of scene/model/check_light.h
 inline SpotCone spot_cone(const Light& light)
 {
     const auto versine = [](double angle_rad) {
@@ -37,14 +37,17 @@ inline SpotCone spot_cone(const Light& light)
     SpotCone cone;
     cone.axis = glm::vec3(glm::normalize(light.direction));
     cone.outer = static_cast<float>(versine(light.outer_rad));
-    const double width = versine(light.outer_rad) - versine(light.inner_rad);
+    double width = versine(light.outer_rad) - versine(light.inner_rad);
+    if (light.inverse_square) width = std::max(width, 0.001);  // KHR_lights_punctual
     const double steepest = std::numeric_limits<float>::max(); // a cone with a hard border
     cone.inv_width = static_cast<float>(width * steepest > 1 ? 1 / width : steepest);
     return cone;
 }
 
-/// How much of the spot's light goes along d, 0 to 1; d goes from the light to the point (to_light
-/// in exact/shadow_ray.h). 0 where d is 0, infinite or no number.
+/// The share of the spot's light that goes along d, from 0 to 1. It is 0 if d is 0, infinite or
+/// NaN.
+///
+/// d  from the light to the point (to_light in exact/shadow_ray.h); of any length
 inline float spot_share(const SpotCone& cone, const glm::vec3& d)
 {
     const scalar::real3 axis(cone.axis.x, cone.axis.y, cone.axis.z);
@@ -52,7 +55,7 @@ inline float spot_share(const SpotCone& cone, const glm::vec3& d)
         scalar::versine(axis, scalar::real3(d.x, d.y, d.z)), cone.outer, cone.inv_width);
 }
 
-/// Whether that is above 0.
+/// Whether spot_share is above 0.
 inline bool in_cone(const SpotCone& cone, const glm::vec3& d)
 {
     const scalar::real3 axis(cone.axis.x, cone.axis.y, cone.axis.z);

@@ -13,8 +13,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace firsthit {
@@ -37,7 +40,22 @@ std::string reason(const std::string& target, int error)
 
 [[noreturn]] void throw_cannot_write(const std::string& path, const std::string& target, int error)
 {
+    if (is_standard_output(path))
+        throw FileError(fmt::format(
+            "standard output: cannot write: {}", std::generic_category().message(error)));
     throw FileError(fmt::format("{}: cannot write: {}", path, reason(target, error)));
+}
+
+/// Writes all bytes. Returns 0, or the reason of a failure.
+int write_all(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : EIO;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
 }
 
 /// A name that no other process or thread uses. It does not grow with the target's name, which may
@@ -68,6 +86,7 @@ bool is_device(const std::string& path)
 
 void check_output_path(const std::string& path)
 {
+    if (is_standard_output(path)) return;
     if (path.empty()) throw FileError("cannot write to a file without a name");
     const std::string target = follow_links(path);
     std::error_code ignored;
@@ -90,8 +109,12 @@ void write_file(const std::string& path, std::string_view bytes)
     file.commit();
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(follow_links(path))
+OutputFile::OutputFile(const std::string& path)
+    : path_(path),
+      target_(is_standard_output(path) ? path : follow_links(path)),
+      standard_(is_standard_output(path))
 {
+    if (standard_) return;
     check_output_path(path);
     int descriptor = -1;
     if (is_device(target_)) {
@@ -123,16 +146,28 @@ OutputFile::~OutputFile()
 
 void OutputFile::write(const void* data, std::size_t bytes)
 {
+    if (standard_ && !error_) {
+        if (bytes == 0) return;
+        if (bytes_.size() < place_ + bytes) bytes_.resize(place_ + bytes);
+        std::memcpy(bytes_.data() + place_, data, bytes);
+        place_ += bytes;
+        return;
+    }
     if (error_ || std::fwrite(data, 1, bytes, file_) != bytes) fail(errno);
 }
 
 void OutputFile::seek(std::uint64_t offset)
 {
+    if (standard_ && !error_) {
+        place_ = static_cast<std::size_t>(offset);
+        return;
+    }
     if (error_ || fseeko(file_, static_cast<off_t>(offset), SEEK_SET) != 0) fail(errno);
 }
 
 std::uint64_t OutputFile::tell()
 {
+    if (standard_ && !error_) return place_;
     const off_t offset = error_ ? -1 : ftello(file_);
     if (offset < 0) fail(errno);
     return static_cast<std::uint64_t>(offset);
@@ -140,6 +175,14 @@ std::uint64_t OutputFile::tell()
 
 void OutputFile::commit()
 {
+    if (standard_ && !error_) {
+        std::fflush(stdout); // what was printed before comes before
+        const int error = write_all(STDOUT_FILENO, bytes_);
+        if (error) fail(error);
+        bytes_.clear();
+        place_ = 0;
+        return;
+    }
     if (error_ || std::fflush(file_) != 0) fail(errno);
     std::FILE* file = file_;
     file_ = nullptr;

@@ -11,7 +11,7 @@ namespace firsthit {
 /// Writes beside `path` under a temporary name; commit() renames it into place. Without a commit,
 /// nothing is left. A file that is replaced keeps its permissions. A symbolic link is followed, also
 /// to a file that is not there yet. What exists and is no regular file (/dev/null, a pipe) is written
-/// directly.
+/// directly. "-" is standard output: what is written there waits in memory for the commit.
 ///
 /// Where the process ignores SIGXFSZ, a limit on the size of files is an error as others are; it ends
 /// the process otherwise, and the temporary name stays.
@@ -44,8 +44,17 @@ class OutputFile {
     std::string target_;    // where it goes, links resolved
     std::string temporary_; // empty where the target is written directly
     std::FILE* file_ = nullptr;
-    int error_ = 0; // errno of the first failure
+    bool standard_ = false; // standard output: bytes_ are written at the end
+    std::string bytes_;
+    std::size_t place_ = 0; // in bytes_
+    int error_ = 0;         // errno of the first failure
 };
+
+/// Whether a path stands for standard output.
+inline bool is_standard_output(const std::string& path)
+{
+    return path == "-";
+}
 
 /// True where `path` exists and is neither a regular file nor a folder.
 bool is_device(const std::string& path);

@@ -9,21 +9,27 @@ constexpr std::size_t kCellSamples = 768; // samples of a cell, on average
 constexpr std::size_t kManySamples = 4096;
 constexpr std::size_t kManyTriangles = 128;
 
+/// Samples that are to be sorted into cells.
+struct LooseSamples {
+    std::span<const IrregularSample> array;
+    std::span<const SampleRange> ranges; // of indices into `array`
+    std::size_t count = 0;               // in the ranges
+    SampleBounds bounds;
+};
+
 /// Sorts samples and triangles into cells of about kCellSamples samples; into fewer cells if large
 /// triangles would be copied too often.
-void sort_into_cells(const PencilMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SampleRange> sample_ranges, std::size_t sample_count,
-    std::span<const ProjectedTriangle> triangles, std::span<const SampleRange> triangle_ranges,
-    const SampleBounds& bounds, IrregularCells& cells, Tasks& tasks)
+void sort_into_cells(const PencilMesh& mesh, const LooseSamples& samples, TriangleRanges triangles,
+    IrregularCells& cells, Tasks& tasks)
 {
-    cells.bounds = bounds;
-    if (sample_count == 0) triangle_ranges = {};
-    std::size_t wanted = std::clamp<std::size_t>(sample_count / kCellSamples, 1, kMostCells);
+    cells.bounds = samples.bounds;
+    if (samples.count == 0) triangles.ranges = {};
+    std::size_t wanted = std::clamp<std::size_t>(samples.count / kCellSamples, 1, kMostCells);
     for (;; wanted = (wanted + 3) / 4) {
-        cells.grid = cell_grid(bounds, wanted);
-        if (sort_triangles(mesh, triangles, triangle_ranges, cells, tasks)) break;
+        cells.grid = cell_grid(samples.bounds, wanted);
+        if (sort_triangles(mesh, triangles, cells, tasks)) break;
     }
-    sort_samples(samples, sample_ranges, cells, tasks);
+    sort_samples(samples.array, samples.ranges, cells, tasks);
 }
 
 void mark_shadowed(std::span<const IrregularSample> samples, std::span<std::uint8_t> shadowed)
@@ -37,10 +43,20 @@ bool should_divide(const IrregularCells& cells, std::size_t cell)
            cells.bins.of(cell).size() > kManyTriangles;
 }
 
-/// Tests the samples of a cell, or divides the cell and tests the smaller ones.
-void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
-    const IrregularCells& cells, std::size_t cell, int level, const PencilPoints& points,
-    CellWorker& worker, Tasks& serial, std::span<std::uint8_t> shadowed)
+/// Tests the cells of a face on one worker.
+struct CellTester {
+    const PencilMesh& mesh;
+    const FaceOccluders& occluders;
+    const PencilPoints& points;
+    std::span<std::uint8_t> shadowed; // by id
+    CellWorker& worker;
+    Tasks& serial;
+
+    /// Tests the samples of a cell, or divides the cell and tests the smaller ones.
+    void test_or_divide(const IrregularCells& cells, std::size_t cell, int level) const;
+};
+
+void CellTester::test_or_divide(const IrregularCells& cells, std::size_t cell, int level) const
 {
     const auto samples = cells.samples_of(cell);
     const auto triangles = cells.bins.of(cell);
@@ -57,27 +73,28 @@ void test_or_divide_cell(const PencilMesh& mesh, const FaceOccluders& occluders,
     }
     IrregularCells& inner = worker.level[std::size_t(level)];
     const SampleRange all_samples{0, samples.size()}, all_triangles{0, triangles.size()};
-    sort_into_cells(mesh, samples, {&all_samples, 1}, samples.size(), triangles,
-        {&all_triangles, 1}, bounds, inner, serial);
+    sort_into_cells(mesh, {samples, {&all_samples, 1}, samples.size(), bounds},
+        {triangles, {&all_triangles, 1}}, inner, serial);
     if (inner.grid.cells() == 1) { // all samples have the same x and y
         test_cell(
             mesh, {samples, bounds, triangles, occluders.span()}, points, worker.kernel, shadowed);
         return;
     }
     for (std::size_t k = 0; k < std::size_t(inner.grid.cells()); ++k)
-        test_or_divide_cell(mesh, occluders, inner, k, level + 1, points, worker, serial, shadowed);
+        test_or_divide(inner, k, level + 1);
 }
 
 /// Divides the patches into those that one triangle shadows as a whole (memory.occluded) and the
 /// others (memory.remaining).
-void find_occluded_patches(const PencilMesh& mesh, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const PencilPoints& points, IrregularMemory& memory, Tasks& tasks)
+void find_occluded_patches(const PencilMesh& mesh, const PatchedSamples& patched,
+    const PencilPoints& points, IrregularMemory& memory, Tasks& tasks)
 {
+    const auto patches = patched.patches;
     memory.occluded.resize(patches.size());
     memory.remaining.resize(patches.size());
     memory.is_occluded.resize(patches.size());
     memory.occluders = find_face_occluders(
-        mesh, memory.triangle_ranges.span(), bounds, memory.occluders_of_range, tasks);
+        mesh, memory.triangle_ranges.span(), patched.bounds, memory.occluders_of_range, tasks);
     tasks.for_each(patches.size(), [&](std::size_t k, std::size_t) {
         const SamplePatch& patch = patches[k];
         const auto samples = memory.samples.subspan(patch.range.first, patch.range.count);
@@ -96,12 +113,6 @@ void find_occluded_patches(const PencilMesh& mesh, std::span<const SamplePatch> 
     memory.remaining.resize(remaining);
 }
 
-/// The samples that are to be sorted into cells, memory.loose.
-struct LooseSamples {
-    std::size_t count = 0;
-    SampleBounds bounds;
-};
-
 /// Divides memory.remaining into compact patches, which stay together (memory.patches), and samples
 /// that are to be sorted into cells (memory.loose).
 LooseSamples split_patches(
@@ -119,6 +130,7 @@ LooseSamples split_patches(
     const bool worth_it = 4 * compact_samples > all;
 
     LooseSamples left;
+    left.array = memory.samples;
     std::size_t patches = 0, ranges = 0;
     memory.patches.patches.resize(memory.remaining.size());
     memory.loose.resize(memory.remaining.size());
@@ -133,6 +145,7 @@ LooseSamples split_patches(
     }
     memory.patches.patches.resize(patches);
     memory.loose.resize(ranges);
+    left.ranges = memory.loose.span();
     return left;
 }
 
@@ -171,29 +184,27 @@ void prepare_workers(IrregularMemory& memory, int threads)
 
 } // namespace
 
-void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, const PencilPoints& points,
+void sort_face(const PencilMesh& mesh, const PatchedSamples& patched, const PencilPoints& points,
     IrregularMemory& memory, Tasks& tasks)
 {
-    memory.samples = samples;
+    memory.samples = patched.samples;
     memory.triangle_ranges.resize(mesh.range_count.size());
     std::size_t count = 0;
     for (std::size_t k = 0; k < mesh.range_count.size(); ++k) {
         memory.triangle_ranges[k] = {k * kMeshRange, mesh.range_count[k]};
         count += mesh.range_count[k];
     }
-    find_occluded_patches(mesh, patches, bounds, points, memory, tasks);
+    find_occluded_patches(mesh, patched, points, memory, tasks);
 
-    const auto triangles = mesh.in_view.span();
-    const auto ranges = memory.triangle_ranges.span();
+    const SampleBounds& bounds = patched.bounds;
+    const TriangleRanges triangles{mesh.in_view.span(), memory.triangle_ranges.span()};
     LooseSamples loose = split_patches(bounds, count, true, memory);
-    if (!bin_patches(triangles, ranges, bounds, memory.patches, tasks)) {
+    if (!bin_patches(triangles, bounds, memory.patches, tasks)) {
         // There are too many large triangles: sort all samples, into as few cells as necessary.
         loose = split_patches(bounds, count, false, memory);
-        bin_patches(triangles, ranges, bounds, memory.patches, tasks);
+        bin_patches(triangles, bounds, memory.patches, tasks);
     }
-    sort_into_cells(mesh, samples, memory.loose.span(), loose.count, triangles, ranges,
-        loose.bounds, memory.cells, tasks);
+    sort_into_cells(mesh, loose, triangles, memory.cells, tasks);
 }
 
 void test_face(const PencilMesh& mesh, const PencilPoints& points, IrregularMemory& memory,
@@ -216,8 +227,9 @@ void test_face(const PencilMesh& mesh, const PencilPoints& points, IrregularMemo
     });
     const IrregularCells& cells = memory.cells;
     tasks.for_each(std::size_t(cells.grid.cells()), [&](std::size_t cell, std::size_t worker) {
-        test_or_divide_cell(mesh, memory.occluders, cells, cell, 0, points, *memory.workers[worker],
-            memory.serial, shadowed);
+        const CellTester tester{
+            mesh, memory.occluders, points, shadowed, *memory.workers[worker], memory.serial};
+        tester.test_or_divide(cells, cell, 0);
     });
 }
 

@@ -54,11 +54,8 @@ struct IrregularMemory {
 ///
 /// mesh     of the face; find_triangles_in_view was called with the same bounds, or test_grid left
 ///          the triangles and project_all_vertices was called
-/// samples  must outlive the call of test_face; no two have the same id
-/// patches  ranges of `samples`
-/// bounds   of all samples of the patches
-void sort_face(const PencilMesh& mesh, std::span<const IrregularSample> samples,
-    std::span<const SamplePatch> patches, const SampleBounds& bounds, const PencilPoints& points,
+/// patched  what its spans name must outlive the call of test_face
+void sort_face(const PencilMesh& mesh, const PatchedSamples& patched, const PencilPoints& points,
     IrregularMemory& memory, Tasks& tasks);
 
 /// Tests what sort_face sorted: sets shadowed[id] = 1 for the samples that are shadowed, and writes

@@ -1,4 +1,4 @@
-// models-inl.h - the formulas of all models, for the samples of two registers.
+// models-inl.h - the formulas of all shading models, compiled for two registers of samples.
 #if defined(FIRSTHIT_MATERIAL_MODELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_MATERIAL_MODELS_INL_H_
 #undef FIRSTHIT_MATERIAL_MODELS_INL_H_

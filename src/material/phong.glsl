@@ -8,13 +8,13 @@ struct PhongInputs {
     real3 diffuse;
     real3 specular;
     bool glossy; // specular is not black
-    int whole;   // the exponent if it is whole and small, else -1
+    int whole;   // the exponent if it is a whole number up to 64, else -1
     float shininess;
 };
 
-/// The exponent if it is whole and at most 64, else -1. To there squaring is faster than steady_pow,
-/// and as exact: each product adds at most 6e-8. An exponent below 0, or one that is no number,
-/// counts as 0.
+/// Returns the exponent if it is a whole number of at most 64, else -1. Up to 64, repeated squaring
+/// is faster than steady_pow and as accurate: each product adds a relative error of at most 6e-8.
+/// Negative exponents and NaN count as 0.
 FIRSTHIT_PURE int whole_exponent(float shininess)
 {
     if (!(shininess > 0.0f)) return 0;
@@ -41,22 +41,29 @@ FIRSTHIT_PURE real3 albedo(PhongInputs inputs)
     return inputs.diffuse;
 }
 
-/// What it sends to the eye whatever the lights are: its part of the ambient light.
+/// The light that it sends to the eye without any light source: the ambient light that it reflects.
 FIRSTHIT_PURE real3 emitted(PhongInputs inputs, vec3 ambient_light)
 {
     return all_lanes(inputs.ambient * ambient_light) * inputs.texture_color;
 }
 
-/// N.L, or 0 where the light is behind the shading normal. The triangle's plane has no say: whether
-/// it faces the light changes at once from triangle to triangle, where a smooth surface should fade.
+/// What it sends to the eye of light that comes from all sides of the sky (firsthit/options/sky_options.h).
+FIRSTHIT_PURE real3 scattered(PhongInputs inputs, real3 light)
+{
+    return inputs.diffuse * light;
+}
+
+/// The cosine N.L, or 0 if the light is behind the shading normal. Whether the triangle's plane
+/// faces the light is not considered: that changes abruptly from one triangle to the next, where a
+/// smooth surface should fade.
 FIRSTHIT_PURE real n_dot_l(real3 n, real3 to_light)
 {
     return max(dot(n, to_light), 0.0f);
 }
 
-/// (R.V)^shininess, or 0 where `cosine`, the n_dot_l of the same point, is 0.
+/// The specular term (R.V)^shininess, or 0 if `cosine`, the n_dot_l of the same point, is 0.
 ///
-/// whole  the exponent if it is whole and small (the error grows with it), else -1
+/// whole  see whole_exponent
 FIRSTHIT_PURE real highlight(
     real3 n, real3 to_eye, real3 to_light, real cosine, int whole, real shininess)
 {
@@ -70,7 +77,7 @@ FIRSTHIT_PURE real highlight(
     return mix(real(0.0f), power, cosine > real(0.0f));
 }
 
-/// What it sends to the eye of one light.
+/// The light of one light source that it reflects to the eye.
 FIRSTHIT_PURE real3 reflected(PhongInputs inputs, Surface surface, real3 to_light, real3 light)
 {
     real cosine = n_dot_l(surface.normal, to_light);

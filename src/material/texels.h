@@ -1,8 +1,12 @@
-// texels.h - materials as shaders fetch them: texels of four floats.
+// texels.h - packs materials into texels of four floats, as shaders load them.
 //
-// All materials have as many texels. The first one's last float is the bits of a whole number, the
-// header: 256 times the texture's number, plus the model's. The fields of models.h lie in the others
-// in their order, each in one texel: where the newest has no room, the next one begins.
+// Every material has the same number of texels. The last float of the first texel holds the bits of
+// an integer, the header: 256 * the texture's number + the model's number. The fields of models.h
+// follow in order. A field never crosses texels: if the current texel has no room, the field starts
+// the next. Behind the texels of the model with the most fields, each map has two texels:
+//
+//     per_u.x, per_u.y, per_v.x, per_v.y     it is sampled at per_u * u + per_v * v + offset
+//     offset.x, offset.y, texture, uv_set    bits of integers; texture -1: none that is drawn
 #pragma once
 
 #include "material/models.h"
@@ -12,49 +16,57 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace firsthit {
 
-/// Where a field is: the texel and its float.
-struct TexelPlace {
+/// The position of a field: its texel, and its first float in the texel (0 to 3).
+struct TexelComponent {
     int texel, component;
 };
 
-constexpr int kMostFields = 16; // of a model
+constexpr int kMostFields = 16; // most fields of a model
 
 struct ModelLayout {
-    std::array<TexelPlace, kMostFields> place{}; // of each field
+    std::array<TexelComponent, kMostFields> field{}; // where each field is
     int texels = 1;
 };
 
 constexpr ModelLayout model_layout(std::span<const ModelField> fields)
 {
     ModelLayout layout;
-    int texel = 0, next = 0; // the newest texel and its first float that is free; 3 is the header's
+    int texel = 0, next = 0; // the current texel, and its first free float
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const int floats = fields[k].floats;
         if (next + floats > (texel == 0 ? 3 : 4)) ++texel, next = 0;
-        layout.place[k] = {texel, next};
+        layout.field[k] = {texel, next};
         next += floats;
     }
     layout.texels = texel + 1;
     return layout;
 }
 
-/// Of each material, whatever its model.
-inline constexpr int kMaterialTexels = [] {
+/// The number of the first map's first texel in each material, whatever its model.
+inline constexpr int kFirstMapTexel = [] {
     int most = 0;
     for (const ModelInfo& model : kModels) most = std::max(most, model_layout(model.fields).texels);
     return most;
 }();
+inline constexpr int kMapTexels = 2; // of each map
+
+/// Of each material.
+inline constexpr int kMaterialTexels = kFirstMapTexel + kMapTexels * int(kMostTextures);
 
 using MaterialTexels = std::array<glm::vec4, kMaterialTexels>;
 
-/// How the header is put together: 24 bits for the texture.
+/// The factor of the texture's number in the header. Leaves 24 bits for that number.
 inline constexpr int kHeaderTexture = 256;
 
-/// texture  its number; -1: none that is drawn
-MaterialTexels material_texels(const Material& material, std::int32_t texture);
+/// Returns the texels of a material.
+/// texture   the number of the texture of a model without maps; -1: none, or one without texels
+/// is_drawn  whether a map of the material's model has a texture that is drawn
+MaterialTexels material_texels(const Material& material, std::int32_t texture,
+    const std::function<bool(const TextureRef&)>& is_drawn);
 
 } // namespace firsthit

@@ -1,5 +1,7 @@
-// texts.inl - the texts of all models, as C++. Included inside a namespace that has their words.
+// texts.inl - includes the formulas of all models as C++. The including namespace defines `real`
+// and the other types that they use.
 #include "material/surface.glsl"
 
 #include "material/phong.glsl"
 #include "material/unlit.glsl"
+#include "material/metallic_roughness.glsl"

@@ -1,13 +1,13 @@
-// unlit.glsl - a surface that shows its colour whatever the lights are.
+// unlit.glsl - a surface that shows its own colour, independently of all lights.
 
 struct UnlitInputs {
     real3 color;
 };
 
-FIRSTHIT_PURE UnlitInputs inputs_of(Unlit material, real3 texture_color)
+FIRSTHIT_PURE UnlitInputs inputs_of(Unlit material, MapColors maps)
 {
     UnlitInputs inputs;
-    inputs.color = all_lanes(material.color) * texture_color;
+    inputs.color = all_lanes(material.color) * maps.map[0].rgb;
     return inputs;
 }
 

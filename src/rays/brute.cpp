@@ -103,6 +103,7 @@ void cast_row(const EyeTriangles& triangles, const std::vector<FacedTriangle>& f
             if (a < 0 || b < 0 || c < 0) continue;
             const glm::vec3 d = pencil.tile(0, 0).direction(x, y);
             if (!(a > 0 && b > 0 && c > 0) && !is_hit(triangles[triangle.id], d, effort)) continue;
+            if (!triangles.is_there(triangle.id, d)) continue;
             keep_nearest(triangles, triangle.id, d, row[std::size_t(x)], effort);
         }
     }
@@ -114,7 +115,7 @@ std::uint32_t cast_brute(const EyeTriangles& triangles, const glm::vec3& d, Effo
 {
     std::uint32_t best = kNoItem;
     for (std::size_t t = 0; t < triangles.index.size(); ++t)
-        if (is_hit(triangles[t], d, effort))
+        if (is_hit(triangles[t], d, effort) && triangles.is_there(t, d))
             keep_nearest(triangles, std::uint32_t(t), d, best, effort);
     return best;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "exact/cutouts.h"
 #include "exact/hit.h"
 #include "exact/pencil.h"
 
@@ -17,6 +18,13 @@ namespace firsthit {
 struct EyeTriangles {
     std::span<const glm::vec4> corner; // (V) w unused
     std::span<const glm::uvec3> index; // (T)
+    const Cutouts* cutouts = nullptr;  // of these triangles; null: all are opaque
+
+    /// Whether the ray along d, which hits the triangle, hits something that is there.
+    bool is_there(std::size_t triangle, const glm::vec3& d) const
+    {
+        return !cutouts || cutouts->is_there(std::uint32_t(triangle), (*this)[triangle], d);
+    }
 
     Corners operator[](std::size_t triangle) const
     {

@@ -56,7 +56,7 @@ struct CoherentKeys {
 };
 
 /// A triangle whose plane the light does not lie in.
-struct FacedTriangle {
+struct ShadowTriangle {
     std::uint32_t id;
     std::array<dvec3, 3> edge; // edge . ray is positive inside; one rounding for each coordinate
     dvec3 normal;              // points away from the light
@@ -64,15 +64,15 @@ struct FacedTriangle {
     dvec3 v0;
 };
 
-std::vector<FacedTriangle> face(const PencilSpace& space, const LightTriangles& triangles)
+std::vector<ShadowTriangle> face(const PencilSpace& space, const LightTriangles& triangles)
 {
     Effort effort;
-    std::vector<FacedTriangle> faced;
+    std::vector<ShadowTriangle> faced;
     for (std::size_t t = 0; t < triangles.index.size(); ++t) {
         const Corners c = triangles[t];
         const double facing = light_side(space, c, effort);
         if (facing == 0) continue;
-        FacedTriangle f{
+        ShadowTriangle f{
             .id = std::uint32_t(t), .edge = {}, .normal = {}, .normal_size = {}, .v0 = dvec3(c[0])};
         const auto ray_space = [&](int k) {
             const vec3& p = c[std::size_t(k % 3)];
@@ -108,7 +108,7 @@ struct Block {
 
     /// Whether the triangle certainly shadows no point of the block: the block is in front of its
     /// plane, or on the outer side of an edge. Each sum of three terms has at most nine roundings.
-    bool is_missed_by(const FacedTriangle& t) const
+    bool is_missed_by(const ShadowTriangle& t) const
     {
         for (const dvec3& n : t.edge) {
             double most = 0, size = 0;
@@ -129,7 +129,7 @@ struct Block {
 };
 
 /// Whether the ray is certainly on the outer side of an edge.
-bool is_outside(const FacedTriangle& t, const dvec3& ray)
+bool is_outside(const ShadowTriangle& t, const dvec3& ray)
 {
     for (const dvec3& n : t.edge) {
         const double x = n.x * ray.x, y = n.y * ray.y, z = n.z * ray.z;
@@ -144,7 +144,7 @@ struct Query {
     const LightTriangles& triangles;
     std::span<const vec3> points;
     std::span<const std::uint32_t> receivers;
-    std::vector<FacedTriangle> faced;
+    std::vector<ShadowTriangle> faced;
     std::vector<std::uint32_t> order; // indices of the points that have a shadow ray
 
     std::span<const std::uint32_t> slice(std::size_t first, std::size_t count) const
@@ -160,10 +160,10 @@ struct Query {
     }
 
     bool is_shadowed_by(
-        std::uint32_t point, const FacedTriangle& t, const dvec3& ray, Effort& effort) const
+        std::uint32_t point, const ShadowTriangle& t, const dvec3& ray, Effort& effort) const
     {
         if (!receivers.empty() && receivers[point] == t.id) return false;
-        return !is_outside(t, ray) && is_shadowed(space, triangles[t.id], points[point], effort);
+        return !is_outside(t, ray) && triangles.shadows(space, t.id, points[point], effort);
     }
 };
 
@@ -192,13 +192,13 @@ void test_large_block(
 {
     Effort effort;
     const Block large = query.block_of(members);
-    std::vector<const FacedTriangle*> candidates;
-    for (const FacedTriangle& t : query.faced)
+    std::vector<const ShadowTriangle*> candidates;
+    for (const ShadowTriangle& t : query.faced)
         if (!large.is_missed_by(t)) candidates.push_back(&t);
     for (std::size_t first = 0; first < members.size(); first += kSmallBlock) {
         const auto some = members.subspan(first, std::min(kSmallBlock, members.size() - first));
         const Block small = query.block_of(some);
-        for (const FacedTriangle* t : candidates) {
+        for (const ShadowTriangle* t : candidates) {
             if (small.is_missed_by(*t)) continue;
             for (const std::uint32_t point : some)
                 if (!shadowed[point])
@@ -222,7 +222,7 @@ bool is_shadowed_brute(const PencilSpace& space, const LightTriangles& triangles
     std::uint32_t receiver, Effort& effort)
 {
     for (std::size_t t = 0; t < triangles.index.size(); ++t)
-        if (t != receiver && is_shadowed(space, triangles[t], d, effort)) return true;
+        if (t != receiver && triangles.shadows(space, t, d, effort)) return true;
     return false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/tasks.h"
+#include "exact/cutouts.h"
 #include "exact/shadow_ray.h"
 
 #include <glm/vec3.hpp>
@@ -17,6 +18,15 @@ namespace firsthit {
 struct LightTriangles {
     std::span<const glm::vec3> corner; // (V)
     std::span<const glm::uvec3> index; // (T)
+    const Cutouts* cutouts = nullptr;  // of these triangles; null: all are opaque
+
+    /// Whether the triangle shadows the point d.
+    bool shadows(const PencilSpace& space, std::size_t t, const glm::vec3& d, Effort& effort) const
+    {
+        const Corners c = (*this)[t];
+        return cutouts ? is_shadowed(space, *cutouts, std::uint32_t(t), c, d, effort)
+                       : is_shadowed(space, c, d, effort);
+    }
 
     Corners operator[](std::size_t triangle) const
     {

@@ -15,13 +15,41 @@
 
 namespace firsthit {
 
+namespace {
+
+/// The data of the filter function. Embree's context must be the first member, because the filter
+/// gets only its address.
+struct CasterContext {
+    RTCIntersectContext embree;
+    const EyeTriangles& triangles;
+};
+
+/// Rejects hits of cut-outs where these are not there.
+void skip_holes(const RTCFilterFunctionNArguments* arguments)
+{
+    const CasterContext& context = *reinterpret_cast<const CasterContext*>(arguments->context);
+    for (unsigned k = 0; k < arguments->N; ++k) {
+        if (arguments->valid[k] == 0) continue;
+        const glm::vec3 d(RTCRayN_dir_x(arguments->ray, arguments->N, k),
+            RTCRayN_dir_y(arguments->ray, arguments->N, k),
+            RTCRayN_dir_z(arguments->ray, arguments->N, k));
+        const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, k);
+        if (!context.triangles.is_there(triangle, d)) arguments->valid[k] = 0;
+    }
+}
+
+} // namespace
+
 struct EmbreeCaster::Impl : EmbreeHandles {
+    EyeTriangles triangles;
+    bool has_cutouts() const { return triangles.cutouts && triangles.cutouts->any(); }
+
     float* vertex = nullptr; // Embree's own copy of the corners, 3 floats each
 
-    void copy_corners(const EyeTriangles& triangles)
+    void copy_corners(const EyeTriangles& of)
     {
-        for (std::size_t v = 0; v < triangles.corner.size(); ++v)
-            std::memcpy(vertex + 3 * v, &triangles.corner[v], 3 * sizeof(float));
+        for (std::size_t v = 0; v < of.corner.size(); ++v)
+            std::memcpy(vertex + 3 * v, &of.corner[v], 3 * sizeof(float));
     }
 };
 
@@ -29,12 +57,14 @@ EmbreeCaster::EmbreeCaster(const EyeTriangles& triangles, bool robust, bool dyna
     : impl_(std::make_unique<Impl>())
 {
     Impl& e = *impl_;
+    e.triangles = triangles;
     e.device = rtcNewDevice(fmt::format("threads={}", threads).c_str());
     if (!e.device) throw DeviceError("Embree has no device");
     e.scene = rtcNewScene(e.device);
     unsigned flags = RTC_SCENE_FLAG_NONE;
     if (robust) flags |= RTC_SCENE_FLAG_ROBUST;
     if (dynamic) flags |= RTC_SCENE_FLAG_DYNAMIC;
+    if (e.has_cutouts()) flags |= RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
     rtcSetSceneFlags(e.scene, RTCSceneFlags(flags));
     rtcSetSceneBuildQuality(e.scene, dynamic ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
     e.geometry = rtcNewGeometry(e.device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -57,6 +87,7 @@ EmbreeCaster::~EmbreeCaster() = default;
 
 void EmbreeCaster::refit(const EyeTriangles& triangles)
 {
+    impl_->triangles = triangles;
     impl_->copy_corners(triangles);
     rtcUpdateGeometryBuffer(impl_->geometry, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(impl_->geometry);
@@ -109,13 +140,14 @@ void EmbreeCaster::cast(
     const int tiles_x = (pencil.width + kTile - 1) / kTile;
     const int tiles_y = (pencil.height + kTile - 1) / kTile;
     tasks.for_each(std::size_t(tiles_x) * std::size_t(tiles_y), [&](std::size_t tile, std::size_t) {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        CasterContext context{{}, impl_->triangles};
+        rtcInitIntersectContext(&context.embree);
+        context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        if (impl_->has_cutouts()) context.embree.filter = skip_holes;
         const int left = int(tile) % tiles_x * kTile, top = int(tile) / tiles_x * kTile;
         for (int y = top; y < std::min(top + kTile, pencil.height); y += kPacketY)
             for (int x = left; x < std::min(left + kTile, pencil.width); x += kPacketX)
-                cast_packet(impl_->scene, context, pencil, x, y, items, t);
+                cast_packet(impl_->scene, context.embree, pencil, x, y, items, t);
     });
 }
 

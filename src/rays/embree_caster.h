@@ -11,6 +11,7 @@ namespace firsthit {
 /// Embree's bounding volume hierarchy over triangles in eye space. All rays start at the origin.
 class EmbreeCaster {
   public:
+    /// triangles  their cut-outs, if any, have to outlive this
     /// robust   use Embree's robust traversal, for comparisons
     /// dynamic  allow refit()
     /// throws   DeviceError: no device, or out of memory

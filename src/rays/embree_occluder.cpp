@@ -20,19 +20,32 @@ constexpr std::size_t kRange = 1024; // points of one task
 
 /// The data of the filter function. Embree's context must be the first member, because the filter
 /// gets only its address.
-struct Context {
+struct OccluderContext {
     RTCIntersectContext embree;
-    std::span<const std::uint32_t> receivers;
+    const LightTriangles& triangles;
+    const PencilSpace& space;
+    std::span<const glm::vec3> points;
+    std::span<const std::uint32_t> receivers; // or none
+
+    /// Whether the triangle counts for the ray to points[point].
+    bool accepts(unsigned triangle, unsigned point) const
+    {
+        if (!receivers.empty() && triangle == receivers[point]) return false;
+        return !triangles.cutouts ||
+               triangles.cutouts->is_there(triangle, pencil_corners(space, triangles[triangle]),
+                   pencil_ray(space, points[point]));
+    }
 };
 
-/// Rejects hits of the triangle that the ray's point lies on.
-void skip_receiver(const RTCFilterFunctionNArguments* arguments)
+/// Rejects hits of the triangle that the ray's point lies on, and of cut-outs where these are not
+/// there.
+void skip_others(const RTCFilterFunctionNArguments* arguments)
 {
-    const Context& context = *reinterpret_cast<const Context*>(arguments->context);
+    const OccluderContext& context = *reinterpret_cast<const OccluderContext*>(arguments->context);
     for (unsigned k = 0; k < arguments->N; ++k) {
         if (arguments->valid[k] == 0) continue;
         const unsigned point = RTCRayN_id(arguments->ray, arguments->N, k);
-        if (RTCHitN_primID(arguments->hit, arguments->N, k) == context.receivers[point])
+        if (!context.accepts(RTCHitN_primID(arguments->hit, arguments->N, k), point))
             arguments->valid[k] = 0;
     }
 }
@@ -40,11 +53,13 @@ void skip_receiver(const RTCFilterFunctionNArguments* arguments)
 } // namespace
 
 struct EmbreeOccluder::Impl : EmbreeHandles {
+    LightTriangles triangles;
     float before_all = 0; // less than the z of every corner
 
     /// Casts the rays of points [first, min(first + kPacket, last)).
     void cast_packet(const PencilSpace& space, std::span<const glm::vec3> points, std::size_t first,
-        std::size_t last, float short_of, Context& context, std::span<std::uint8_t> shadowed) const
+        std::size_t last, float short_of, OccluderContext& context,
+        std::span<std::uint8_t> shadowed) const
     {
         alignas(32) RTCRay8 rays;
         alignas(32) int valid[kPacket];
@@ -75,6 +90,7 @@ EmbreeOccluder::EmbreeOccluder(const LightTriangles& triangles, bool robust, int
     : impl_(std::make_unique<Impl>())
 {
     Impl& e = *impl_;
+    e.triangles = triangles;
     e.device = rtcNewDevice(fmt::format("threads={}", threads).c_str());
     if (!e.device) throw DeviceError("Embree has no device");
     e.scene = rtcNewScene(e.device);
@@ -106,11 +122,11 @@ void EmbreeOccluder::test(const PencilSpace& space, std::span<const glm::vec3> p
     float short_of)
 {
     tasks.for_ranges(points.size(), kRange, [&](std::size_t first, std::size_t last) {
-        Context context;
+        OccluderContext context{{}, impl_->triangles, space, points, receivers};
         rtcInitIntersectContext(&context.embree);
         context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        context.receivers = receivers;
-        if (!receivers.empty()) context.embree.filter = skip_receiver;
+        const Cutouts* const cutouts = impl_->triangles.cutouts;
+        if (!receivers.empty() || (cutouts && cutouts->any())) context.embree.filter = skip_others;
         for (std::size_t k = first; k < last; k += kPacket)
             impl_->cast_packet(space, points, k, last, short_of, context, shadowed);
     });

@@ -11,6 +11,7 @@ namespace firsthit {
 /// at the origin, or for a directional light parallel to z from in front of the scene.
 class EmbreeOccluder {
   public:
+    /// triangles  have to outlive this
     /// threads  for building the hierarchy
     /// throws   DeviceError: no device, or out of memory
     EmbreeOccluder(const LightTriangles& triangles, bool robust, int threads);

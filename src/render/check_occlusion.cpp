@@ -1,4 +1,4 @@
-// check_occlusion.cpp - refuses points, lights and receivers that cannot be tested.
+// check_occlusion.cpp - checks the arguments of Occlusion.
 #include "render/check_occlusion.h"
 
 #include "scene/model/check_light.h"

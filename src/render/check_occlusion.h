@@ -1,4 +1,4 @@
-// check_occlusion.h - refuses points, lights and receivers that cannot be tested.
+// check_occlusion.h - checks the arguments of Occlusion.
 #pragma once
 
 #include <firsthit/scene.h>
@@ -9,7 +9,8 @@
 
 namespace firsthit {
 
-/// throws  ArgumentError, as Occlusion's functions
+/// points  number of points
+/// throws  ArgumentError: see Occlusion
 void check_occlusion(const World& world, std::size_t points, std::span<const Light> lights,
     std::span<const std::uint32_t> receivers);
 

@@ -1,8 +1,9 @@
-// check_settings.cpp - refuses what cannot be rendered, with what is accepted.
+// check_settings.cpp - checks the settings and the view of a frame.
 #include "render/check_settings.h"
 
 #include "hits/lattice.h"
 #include "exact/pencil.h"
+#include "shadow/sky/sky_rays.h"
 
 #include <firsthit/error.h>
 
@@ -39,6 +40,21 @@ void check_shadows(const ShadowOptions& settings)
             "shadow filter {} is out of range: 1 to {}", settings.shadow_filter, kMaxFilter));
 }
 
+void check_adaptive(const Settings& settings)
+{
+    const int n = settings.adaptive;
+    if (n < 1 || n > kMaxSamples)
+        throw ArgumentError(
+            fmt::format("{} adaptive samples is out of range: 1 to {}", n, kMaxSamples));
+    if (n > 1 && settings.samples > 1)
+        throw ArgumentError(fmt::format(
+            "{} adaptive samples need 1 sample everywhere else, not {}", n, settings.samples));
+    if (n > 1 && settings.interleave > 1)
+        throw ArgumentError(fmt::format("{} adaptive samples need a ray in each pixel, that is "
+                                        "interleave 1, not {}",
+            n, settings.interleave));
+}
+
 void check_opengl(const Settings& settings)
 {
     if (settings.engine == Engine::gpu && settings.shadows == Shadows::exact)
@@ -52,6 +68,21 @@ void check_opengl(const Settings& settings)
 
 } // namespace
 
+void check_sky(const Sky& sky)
+{
+    check_sky_directions(sky.directions);
+    if (sky.directions == 0) return;
+    if (sky.up != glm::dvec3(0)) zenith_of(sky, sky.up);
+    if (!(0 <= sky.bounce && sky.bounce <= 1))
+        throw ArgumentError(fmt::format("the sky's bounce {} is out of range: 0 to 1", sky.bounce));
+    for (const glm::vec3& color : {sky.color, sky.ground})
+        for (int c = 0; c < 3; ++c)
+            if (!(color[c] >= 0 && std::isfinite(color[c])))
+                throw ArgumentError(fmt::format("the sky's light ({}, {}, {}) is out of range: "
+                                                "accepted are finite numbers, 0 or more",
+                    color.x, color.y, color.z));
+}
+
 View checked(const View& view)
 {
     if (view.width < 1 || view.height < 1 || view.width > kMaxSize || view.height > kMaxSize)
@@ -59,7 +90,8 @@ View checked(const View& view)
             view.width, view.height, kMaxSize, kMaxSize));
     View filled = view;
     Region& region = filled.region;
-    const bool starts_inside = region.x >= 0 && region.y >= 0; // else x, y may overflow the rest
+    // If x or y is negative, the differences below could overflow.
+    const bool starts_inside = region.x >= 0 && region.y >= 0;
     if (starts_inside && region.width == 0) region.width = view.width - region.x;
     if (starts_inside && region.height == 0) region.height = view.height - region.y;
     if (!starts_inside || region.width < 1 || region.height < 1 ||
@@ -89,7 +121,9 @@ void check(const Settings& settings, std::size_t lights)
         throw ArgumentError(
             fmt::format("interleave {} needs 1 sample, not {}: it shoots less than a ray a pixel",
                 settings.interleave, settings.samples));
+    check_adaptive(settings);
     check_shadows(settings);
+    check_sky(settings.sky);
     check_opengl(settings);
     if (std::find(settings.aovs.begin(), settings.aovs.end(), Aov::lit) == settings.aovs.end())
         return;
@@ -99,6 +133,14 @@ void check(const Settings& settings, std::size_t lights)
         throw ArgumentError(fmt::format("the plane 'lit' has a channel for each light, and {} are "
                                         "too many: at most {}",
             lights, kMaxLitLights));
+}
+
+void check_background(const Scene& scene, const Settings& settings)
+{
+    if (settings.interleave > 1 && scene.environment.map && scene.environment.background)
+        throw ArgumentError(fmt::format("interleave {} cannot show the environment as background: "
+                                        "accepted are 1, or an environment without background",
+            settings.interleave));
 }
 
 } // namespace firsthit

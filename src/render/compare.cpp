@@ -1,4 +1,5 @@
-// compare.cpp - holds the item buffer against other ray casters, each disagreement decided exactly.
+// compare.cpp - compares the item buffer with another ray caster, and decides each difference
+// exactly.
 #include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -50,19 +51,20 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
     settings.aovs = {Aov::item};
     render_frame({world, filled, tasks, film}, settings, memory, stats);
 
-    // The oracle takes the same eye space, made here from nothing but the whole region's pencil.
+    // The oracle uses the same eye space, computed here from the pencil of the whole region.
     ViewMemory eye;
     eye.pencil = pencil_of(filled, filled.region, 1);
-    project_vertices(world.position, eye, tasks);
+    take_triangles(*world.scene, eye);
+    project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{
-        eye.corner.span().first(world.position.size()), world.scene->index};
+        eye.corner.span().first(world.position.size()), world.scene->index, &eye.cutouts};
     const std::vector<std::uint32_t> theirs = cast(oracle, triangles, eye.pencil, tasks, progress);
 
     Comparison result;
     result.pixels = theirs.size();
     std::atomic<std::uint64_t> agree{0}, ties{0}, ours_wrong{0}, theirs_wrong{0};
     tasks.for_ranges(theirs.size(), 4096, [&](std::size_t first, std::size_t last) {
-        std::uint64_t same = 0; // nearly all
+        std::uint64_t same = 0; // counted locally, because nearly all agree
         for (std::size_t i = first; i < last; ++i) {
             const std::uint32_t a = film.item[i], b = theirs[i];
             if (a == b) {

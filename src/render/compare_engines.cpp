@@ -1,4 +1,4 @@
-// compare_engines.cpp - holds the engines on OpenGL against the cpu engine.
+// compare_engines.cpp - compares the OpenGL engines with the cpu engine.
 #include "base/instruction_set.h"
 #include "base/process_owned.h"
 #include "base/srgb.h"
@@ -23,8 +23,8 @@
 namespace firsthit {
 namespace {
 
-/// Pixels that are looked at in one go. The sums of such ranges are added in their order, so that
-/// the result does not depend on threads.
+/// Values that are compared by one call. The sums of these ranges are added in order, so that the
+/// result does not depend on the number of threads.
 constexpr std::size_t kRange = 4096;
 
 struct Difference {
@@ -87,19 +87,21 @@ void EngineComparer::Impl::render_engine(
         opengl->render_hybrid({world, view, tasks, engine_film}, settings, engine_memory, stats);
 }
 
-/// After the cpu engine's frame.
-/// returns  the sum of squares; nothing where the gpu engine cannot be lent items
+/// Renders the frame with the gpu engine from the items and maps of the cpu engine's frame, which
+/// must have been rendered before.
+/// returns  the sum of squared differences; nothing if the gpu engine cannot use the items
 std::optional<double> EngineComparer::Impl::lend_items(
     const World& world, const View& view, const Settings& settings)
 {
     const Region& region = view.region;
-    const Pencil& last_part = cpu_memory.view.pencil;
-    const bool at_once = last_part.width == region.width && last_part.height == region.height &&
-                         std::max(region.width, region.height) <= gl::GpuOptions().part_side;
+    const Pencil& last_section = cpu_memory.view.pencil;
+    const bool at_once = last_section.width == region.width &&
+                         last_section.height == region.height &&
+                         std::max(region.width, region.height) <= gl::GpuOptions().section_side;
     if (settings.engine != Engine::gpu || settings.samples > 1 || !at_once) return std::nullopt;
     Settings lent = settings;
     lent.aovs.clear();
-    lent.multisample = Multisample::exact; // the items are right
+    lent.multisample = Multisample::exact; // the items need no repair
     const bool maps = settings.shadows == Shadows::map && !world.lights.empty();
     Stats stats;
     opengl->render_gpu_with(cpu_film.item, maps ? &cpu_memory.lit.maps : nullptr,
@@ -121,14 +123,14 @@ std::optional<double> EngineComparer::Impl::lend_items(const World&, const View&
 
 #endif
 
-/// Counts missed, wrong and ties. The cpu engine's items are the truth.
+/// Counts missed and wrong items and ties, relative to the cpu engine's items.
 void EngineComparer::Impl::count_items(
     const World& world, const View& view, EngineComparison& result)
 {
     const Pencil pencil = pencil_of(view, view.region, 1);
     eye.pencil = pencil;
     eye.pencil.width = eye.pencil.height = 1; // only corners are wanted, of any size of picture
-    project_vertices(world.position, eye, tasks);
+    project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{
         eye.corner.span().first(world.position.size()), world.scene->index};
     for (std::size_t k = 0; k < cpu_film.item.size(); ++k) {
@@ -173,7 +175,7 @@ EngineComparison EngineComparer::compare(
         result.interpolated = stats.interpolated;
         Settings cpu = settings;
         cpu.engine = Engine::cpu;
-        impl.cpu_memory.lit.by_occluders = false; // its maps are lent, of all lights
+        impl.cpu_memory.lit.by_occluders = false; // the maps of all lights are needed
         render_frame({world, filled, impl.tasks, impl.cpu_film}, cpu, impl.cpu_memory, stats);
         result.square_sum_same_items = impl.lend_items(world, filled, settings);
 #ifdef FIRSTHIT_GL

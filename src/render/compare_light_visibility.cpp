@@ -1,4 +1,5 @@
-// compare_light_visibility.cpp - holds exact shadows against other ray casters, each disagreement decided exactly.
+// compare_light_visibility.cpp - compares exact shadows with another ray caster, and decides each
+// difference exactly.
 #include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "cpu/frame.h"
@@ -21,25 +22,30 @@
 namespace firsthit {
 namespace {
 
-/// The hits of one picture that one light may reach: on the right side, and inside its cone.
+/// The hits of one picture that one light may reach: it is on the eye's side of their plane, and
+/// they are inside its cone.
 struct Reachable {
     std::vector<std::uint32_t> pixel;
-    std::vector<glm::vec3> point; // in the light's space, lifted
+    std::vector<glm::vec3> point; // in the light's space, lifted off its receiver
     std::vector<std::uint32_t> item;
 };
 
-/// One light's view of the world.
+/// The triangles of the world in the space of one light.
 struct LightVisibilityScene {
     PencilSpace space;
     std::vector<glm::vec3> corner;
+    Cutouts cutouts;
     LightTriangles triangles;
 
     LightVisibilityScene(const World& world, const Light& light, const glm::dvec3& eye)
         : space(light_space(light, eye)),
           corner(all_to_light(space, world.position)),
-          triangles{corner, world.scene->index}
+          triangles{corner, world.scene->index, &cutouts}
     {
+        cutouts.find(*world.scene, kShadowOpacity);
     }
+    LightVisibilityScene(const LightVisibilityScene&) = delete;
+    LightVisibilityScene& operator=(const LightVisibilityScene&) = delete;
 };
 
 Reachable find_reachable(
@@ -83,7 +89,7 @@ std::vector<std::uint8_t> cast(Oracle oracle, const LightVisibilityScene& lit,
     return shadowed;
 }
 
-/// Ours of one light, (height, width): 1 where it reaches the hit.
+/// Our light visibility of one light as bytes, (height, width): 1 where the light reaches the hit.
 std::vector<std::uint8_t> lit_bits(const Film& film, std::size_t light)
 {
     const Plane& lit = film[Aov::lit];
@@ -93,14 +99,14 @@ std::vector<std::uint8_t> lit_bits(const Film& film, std::size_t light)
     return bits;
 }
 
-/// Adds one light's counts.
+/// Compares the results for one light and adds the counts.
 void count(const LightVisibilityScene& lit, const Reachable& reachable,
     const std::vector<std::uint8_t>& theirs, std::vector<std::uint8_t> ours, const Film& film,
     Tasks& tasks, LitComparison& result)
 {
     std::atomic<std::uint64_t> agree{0}, ours_wrong{0}, theirs_wrong{0};
     tasks.for_ranges(reachable.point.size(), 4096, [&](std::size_t first, std::size_t last) {
-        std::uint64_t same = 0; // nearly all
+        std::uint64_t same = 0; // counted locally, because nearly all agree
         for (std::size_t k = first; k < last; ++k) {
             const bool our_lit = std::exchange(ours[reachable.pixel[k]], std::uint8_t(0)) != 0;
             if (our_lit != (theirs[k] != 0)) {
@@ -114,7 +120,7 @@ void count(const LightVisibilityScene& lit, const Reachable& reachable,
         }
         agree += same;
     });
-    // What is left of ours should be dark: the background, and hits that the light cannot reach.
+    // All other pixels should be dark: the background, and hits that the light cannot reach.
     std::uint64_t hits = 0, wrong = 0;
     for (std::size_t k = 0; k < ours.size(); ++k) {
         hits += film.item[k] != kNoItem;
@@ -146,7 +152,8 @@ LitComparison compare_lit(const World& world, const View& view, Oracle oracle, i
 
     ViewMemory eye;
     eye.pencil = pencil_of(filled, filled.region, 1);
-    project_vertices(world.position, eye, tasks);
+    take_triangles(*world.scene, eye);
+    project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{
         eye.corner.span().first(world.position.size()), world.scene->index};
     LitComparison result;
@@ -154,10 +161,10 @@ LitComparison compare_lit(const World& world, const View& view, Oracle oracle, i
     for (std::size_t l = 0; l < lights; ++l) {
         const LightVisibilityScene lit(world, world.lights[l], eye.pencil.eye);
         const Reachable reachable = find_reachable(lit, world.lights[l], triangles, film);
-        const auto share = [&](double part) {
-            if (progress) progress((double(l) + part) / double(lights));
+        const auto report = [&](double share) {
+            if (progress) progress((double(l) + share) / double(lights));
         };
-        const std::vector<std::uint8_t> theirs = cast(oracle, lit, reachable, tasks, share);
+        const std::vector<std::uint8_t> theirs = cast(oracle, lit, reachable, tasks, report);
         count(lit, reachable, theirs, lit_bits(film, l), film, tasks, result);
     }
     return result;

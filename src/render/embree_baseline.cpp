@@ -1,8 +1,12 @@
-// embree_baseline.cpp - the public baseline: poses, checks, brings the tree up to date, makes the frame.
+// embree_baseline.cpp - the public baseline: poses the scene, checks arguments, updates the tree,
+// renders.
 #include "base/instruction_set.h"
 #include "base/stopwatch.h"
 #include "base/tasks.h"
+#include "render/camera_planes.h"
 #include "render/check_settings.h"
+#include "render/id_planes.h"
+#include "render/surface_planes.h"
 #include "scene/model/check_light.h"
 #include "scene/animate/pose.h"
 #ifdef FIRSTHIT_EMBREE
@@ -22,8 +26,8 @@ namespace firsthit {
 std::string_view baseline_update_name(BaselineUpdate update)
 {
     switch (update) {
-    case BaselineUpdate::refit_parts:
-        return "refit-parts";
+    case BaselineUpdate::refit_instances:
+        return "refit-instances";
     case BaselineUpdate::refit:
         return "refit";
     case BaselineUpdate::rebuild_low:
@@ -57,6 +61,10 @@ struct EmbreeBaseline::Impl {
     EmbreeTree tree;
     int packet; // rays
     EmbreeFrameMemory memory;
+    IdPlanes id_planes;
+    SurfacePlanes surface_planes;
+    CameraPlanes camera_planes;
+    Settings own; // without the planes that follow from others
     BaselineStats stats;
     double pose_ms = 0; // since the last frame
 };
@@ -70,7 +78,7 @@ EmbreeBaseline::EmbreeBaseline(
 const World& EmbreeBaseline::pose(double time_s)
 {
     Stopwatch watch;
-    firsthit::pose(impl_->scene, time_s, impl_->world, impl_->tasks);
+    firsthit::pose(impl_->scene, PoseSettings{.time_s = time_s}, impl_->world, impl_->tasks);
     impl_->pose_ms += watch.lap_ms();
     return impl_->world;
 }
@@ -88,11 +96,22 @@ void EmbreeBaseline::render(const View& view, const Settings& settings, Film& fi
     if (settings.samples != 1 || settings.interleave != 1)
         throw ArgumentError("Embree's frame has one ray a pixel: accepted is 1 for samples and "
                             "for interleave");
+    if (settings.sky.directions > 0)
+        throw ArgumentError("Embree's frame has no sky: accepted is a sky of 0 directions");
+    if (settings.alpha) throw ArgumentError("Embree's frame makes no alpha: accepted is false");
     if (settings.shadows == Shadows::map)
         throw ArgumentError(
             "Embree's frame has no shadow maps: accepted are exact shadows or none");
+    if (has_cutouts(*impl.world.scene) || has_blended_triangles(*impl.world.scene))
+        throw ArgumentError(
+            "Embree's frame knows no cut-outs and no blended surfaces, which materials "
+            "of the scene ask for (alpha mask or blend)");
     check_lights(impl.world);
     const View filled = checked(view);
+    check_previous(impl.world, filled, settings.previous);
+    impl.id_planes.without(settings, impl.own);
+    impl.surface_planes.without(impl.own);
+    impl.camera_planes.without(impl.own);
     impl.stats = {};
     impl.stats.pose_ms = std::exchange(impl.pose_ms, 0);
     Stopwatch watch;
@@ -100,8 +119,11 @@ void EmbreeBaseline::render(const View& view, const Settings& settings, Film& fi
     try {
         impl.stats.updated_triangles = impl.tree.update(impl.world);
         impl.stats.update_ms = watch.lap_ms();
-        render_embree({impl.world, filled, impl.tasks, film}, settings, {impl.tree, impl.packet},
+        render_embree({impl.world, filled, impl.tasks, film}, impl.own, {impl.tree, impl.packet},
             impl.memory, impl.stats);
+        impl.camera_planes.fill(filled, impl.tasks, film);
+        impl.surface_planes.fill(impl.world, filled, settings, impl.tasks, film);
+        impl.id_planes.fill(*impl.world.scene, impl.tasks, film);
         after_ms = watch.lap_ms();
     } catch (const std::bad_alloc&) {
         throw Error("not enough memory for a picture of this size");

@@ -1,4 +1,4 @@
-// engine_comparison.cpp - what the numbers of an engine comparison add up to.
+// engine_comparison.cpp - totals of engine comparisons.
 #include <firsthit/compare.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace firsthit {
 namespace {
 
-/// Of three channels a pixel.
+/// Peak signal to noise ratio in decibels. A pixel has three channels.
 double psnr(double square_sum, std::uint64_t pixels)
 {
     return square_sum > 0 ? 10 * std::log10(3 * double(pixels) / square_sum)

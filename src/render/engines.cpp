@@ -1,9 +1,11 @@
-// engines.cpp - which engine makes a frame.
+// engines.cpp - chooses the engine that makes a frame.
 #include "render/engines.h"
 
 #ifdef FIRSTHIT_GL
 #include "render/opengl_engines.h"
 #endif
+
+#include "exact/cutouts.h"
 
 #include <firsthit/error.h>
 
@@ -29,7 +31,7 @@ OpenGlEngines& Engines::opengl()
 #endif
 }
 
-/// Sets refusal_ where the answer is no.
+/// Whether OpenGL runs on hardware. If not, sets refusal_.
 bool Engines::has_hardware()
 {
     if (!refusal_.empty()) return false;
@@ -43,7 +45,7 @@ bool Engines::has_hardware()
     } catch (const DeviceError& error) {
         refusal_ = error.what();
     }
-    opengl_.reset(); // nobody asked for it
+    opengl_.reset(); // it will not be used
     return false;
 }
 
@@ -70,11 +72,11 @@ void Engines::render_by(Engine engine, const FrameContext& frame, Stats& stats)
         (void)engines;
 #endif
     } catch (const ArgumentError&) {
-        throw; // before anything was drawn
+        throw; // nothing was drawn yet
     } catch (const Cancelled&) {
-        throw; // between two stages: all is as it was said to be
+        throw; // between two stages, so the engine can still be used
     } catch (...) {
-        opengl_.reset(); // a lost context, or no memory: the next frame starts anew
+        opengl_.reset(); // a lost context, or no memory: the next frame makes new engines
         throw;
     }
 }
@@ -89,6 +91,8 @@ void Engines::render(const FrameContext& frame, const Settings& settings, Stats&
     }
     if (settings.shadows == Shadows::exact) {
         info_.reason = "exact shadows are made by the cpu engine";
+    } else if (has_cutouts(*frame.world.scene) || has_blended_triangles(*frame.world.scene)) {
+        info_.reason = "surfaces with an alpha mode are drawn by the cpu engine";
     } else if (has_hardware()) {
         const Stats before = stats;
         try {
@@ -99,9 +103,11 @@ void Engines::render(const FrameContext& frame, const Settings& settings, Stats&
             refusal_ = error.what();
             stats = before;
             settings_ = settings;
+            info_.reason = refusal_;
         }
+    } else {
+        info_.reason = refusal_;
     }
-    if (settings.shadows != Shadows::exact) info_.reason = refusal_;
     render_by(Engine::cpu, frame, stats);
 }
 

@@ -1,4 +1,4 @@
-// occlusion.cpp - which points does a light not reach?
+// occlusion.cpp - finds the points that a light does not reach.
 #include "base/instruction_set.h"
 #include "base/tasks.h"
 #include "exact/shadow_ray.h"
@@ -15,7 +15,7 @@ namespace firsthit {
 struct Occlusion::Impl {
     explicit Impl(int threads) : tasks(threads) { select_instruction_set(); }
 
-    /// The points of the next tests.
+    /// Sets the points of the following tests.
     void take(std::span<const glm::vec3> points, std::span<const std::uint32_t> receivers,
         std::size_t lights)
     {
@@ -26,9 +26,9 @@ struct Occlusion::Impl {
         std::span<std::uint8_t> occluded)
     {
         if (points.empty()) return;
-        // Points are given as they are: no eye has rounded them.
+        // The points are exact: they were not computed relative to an eye.
         const PencilSpace space = light_space(light, glm::dvec3(0));
-        test_points(world, space, set, memory, tasks, occluded);
+        test_points({world, space}, set, memory, tasks, occluded);
         if (light.kind != Light::Kind::spot) return;
         const SpotCone cone = spot_cone(light);
         tasks.for_ranges(points.size(), 16384, [&](std::size_t first, std::size_t last) {
@@ -42,7 +42,7 @@ struct Occlusion::Impl {
     Tasks tasks;
     PointSet set;
     ShadowMemory memory;
-    std::vector<std::uint8_t> row; // of one light
+    std::vector<std::uint8_t> row; // (points) result of one light
 };
 
 Occlusion::Occlusion(int threads) : impl_(std::make_unique<Impl>(threads)) {}

@@ -1,4 +1,4 @@
-// opengl_engines.h - the engines that run on OpenGL, and what they keep from frame to frame.
+// opengl_engines.h - the hybrid and the gpu engine, and their OpenGL context.
 #pragma once
 
 #include "cpu/frame.h"
@@ -21,7 +21,7 @@
 
 namespace firsthit {
 
-/// A context and what was made on it so far. Each engine is made when first asked for.
+/// An OpenGL context and the engines on it. Each engine is made when it is first needed.
 class OpenGlEngines {
   public:
     /// throws  DeviceError: no context
@@ -29,26 +29,27 @@ class OpenGlEngines {
     ~OpenGlEngines();
 
     bool is_hardware() const { return context_.is_hardware(); }
-    /// Renderer and version.
+    /// OpenGL's renderer and version.
     std::string device() const;
 
-    /// The cpu engine's frame (cpu/frame.h) with items and shadow maps of OpenGL.
+    /// Renders with the hybrid engine: the cpu engine's frame (cpu/frame.h) with items and shadow
+    /// maps that OpenGL draws.
     void render_hybrid(
         const FrameContext& frame, const Settings& settings, FrameMemory& memory, Stats& stats);
 
-    /// gl/gpu_frame.h
+    /// Renders with the gpu engine (gl/gpu_frame.h).
     void render_gpu(const FrameContext& frame, const Settings& settings, Stats& stats);
 
-    /// The same with items and maps of the cpu engine, for pictures that are made at once: their
-    /// sides have at most gl::GpuOptions::part_side samples.
-    /// items  (height, width) of the samples of the view's region
-    /// maps   null: they are drawn
+    /// The same with items and maps of the cpu engine. The picture must be a single section: its
+    /// sides have at most gl::GpuOptions::section_side samples.
+    /// items  (height, width) items of the view's region
+    /// maps   null: OpenGL draws them
     void render_gpu_with(std::span<const std::uint32_t> items, const ShadowMaps* maps,
         const FrameContext& frame, const Settings& settings, Stats& stats);
 
   private:
-    /// The members make the context current by themselves. Items go first: where a frame was given
-    /// up, they wait for the thread that still draws.
+    /// The members make the context current themselves. `items` is destroyed first, because after a
+    /// cancelled frame it waits for the thread that still draws.
     struct Hybrid {
         explicit Hybrid(const gl::Context& context, gl::SceneBuffers& scene)
             : maps(context, scene),

@@ -1,9 +1,13 @@
-// renderer.cpp - the public renderer: poses, checks, and hands the frame to the engine.
+// renderer.cpp - the public renderer: poses the scene, checks arguments, and calls the engine.
 #include "base/instruction_set.h"
 #include "base/stopwatch.h"
 #include "base/tasks.h"
+#include "render/camera_planes.h"
 #include "render/check_settings.h"
+#include "render/coverage.h"
 #include "render/engines.h"
+#include "render/id_planes.h"
+#include "render/surface_planes.h"
 #include "scene/model/check_light.h"
 #include "scene/animate/pose.h"
 #include "scene/model/borrow.h"
@@ -26,12 +30,23 @@ struct Renderer::Impl {
         check(settings, world.lights.size());
         check_lights(world);
         const View filled = checked(view);
+        check_previous(world, filled, settings.previous);
+        check_background(*world.scene, settings);
         stats.vertices = world.position.size();
         stats.triangles = world.scene->triangle_count();
         try {
             FrameProgress progress(control);
             progress.check();
-            engines.render({world, filled, tasks, film, &progress}, settings, stats);
+            id_planes.without(settings, own);
+            surface_planes.without(own);
+            camera_planes.without(own);
+            film.alpha.value.clear();
+            engines.render({world, filled, tasks, film, &progress}, own, stats);
+            if (settings.alpha && film.alpha.empty())
+                coverage.fill({world, filled, tasks, film, &progress}, own);
+            camera_planes.fill(filled, tasks, film);
+            surface_planes.fill(world, filled, settings, tasks, film);
+            id_planes.fill(*world.scene, tasks, film);
             progress.finish();
         } catch (const std::bad_alloc&) {
             throw Error("not enough memory for a picture of this size");
@@ -41,6 +56,11 @@ struct Renderer::Impl {
     Tasks tasks;
     World posed;
     Engines engines;
+    IdPlanes id_planes;
+    SurfacePlanes surface_planes;
+    CameraPlanes camera_planes;
+    Coverage coverage;
+    Settings own; // what the engines are asked for: their memory is reused
     Stats stats;
     double pose_ms = 0; // since the last frame
 };
@@ -51,15 +71,20 @@ Renderer::~Renderer() = default;
 void Renderer::render(
     const Scene& scene, double time_s, const View& view, const Settings& settings, Film& film)
 {
-    // The world is looked at during the call only.
+    // The world is used only during the call, so it need not own the scene.
     pose(borrow(scene), time_s, impl_->posed);
     render(impl_->posed, view, settings, film);
 }
 
 void Renderer::pose(std::shared_ptr<const Scene> scene, double time_s, World& world)
 {
+    pose(std::move(scene), PoseSettings{.time_s = time_s}, world);
+}
+
+void Renderer::pose(std::shared_ptr<const Scene> scene, const PoseSettings& settings, World& world)
+{
     Stopwatch watch;
-    firsthit::pose(std::move(scene), time_s, world, impl_->tasks);
+    firsthit::pose(std::move(scene), settings, world, impl_->tasks);
     impl_->pose_ms += watch.lap_ms();
 }
 

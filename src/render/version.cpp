@@ -1,4 +1,4 @@
-// version.cpp - what this build is.
+// version.cpp - the version of the library and the instruction set that it uses.
 #include "base/instruction_set.h"
 
 #include <firsthit/render.h>

@@ -1,7 +1,7 @@
 // builtin_robots.cpp - ten walking robots on a square.
 #include "samples/builtin.h"
 #include "samples/robots/robot.h"
-#include "samples/robots/scene_builder.h"
+#include "samples/robots/robot_scene.h"
 #include "samples/robots/shapes.h"
 #include "samples/robots/tile_texture.h"
 #include "samples/robots/walk.h"
@@ -15,7 +15,6 @@
 namespace firsthit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEnd = 10.0;        // s
 constexpr double kGround = 160.0;    // m from the middle to the ground's edge
 constexpr int kGroundQuads = 12;     // on a side
@@ -50,9 +49,9 @@ Material glowing(const char* name, Phong model, const glm::vec3& color)
     return material(name, model);
 }
 
-void add_ground(SceneBuilder& builder, std::int32_t node)
+void add_ground(RobotScene& scene, std::int32_t node)
 {
-    builder.scene().textures.push_back(make_tiles());
+    scene.builder().add_texture(make_tiles());
     Phong tiles = paint(glm::vec3(1), 0.08f, 12);
     tiles.texture = 0;
 
@@ -73,16 +72,16 @@ void add_ground(SceneBuilder& builder, std::int32_t node)
             ground.index.emplace_back(a, a + kWidth, a + kWidth + 1);
             ground.index.emplace_back(a, a + kWidth + 1, a + 1);
         }
-    builder.add_part(
-        node, builder.add_material(material("tiles", tiles)), std::move(ground), std::move(uv));
+    scene.add_shape(node, scene.builder().add_material(material("tiles", tiles)), std::move(ground),
+        std::move(uv));
 }
 
 /// A column with a lamp in the middle, low walls and bollards around.
-void add_props(SceneBuilder& builder, std::int32_t node)
+void add_props(RobotScene& scene, std::int32_t node)
 {
     const std::uint32_t stone =
-        builder.add_material(painted("stone", {0.52f, 0.50f, 0.46f}, 0.1f, 10));
-    const std::uint32_t lamp = builder.add_material(
+        scene.builder().add_material(painted("stone", {0.52f, 0.50f, 0.46f}, 0.1f, 10));
+    const std::uint32_t lamp = scene.builder().add_material(
         glowing("lamp", paint({0.9f, 0.8f, 0.5f}, 0.3f, 20), {0.95f, 0.80f, 0.45f}));
 
     Shape column;
@@ -94,7 +93,7 @@ void add_props(SceneBuilder& builder, std::int32_t node)
         24);
     for (int side = 0; side < 8; ++side) {
         // A gap in the middle of every second side.
-        const double angle = kPi / 4 * side;
+        const double angle = std::numbers::pi / 4 * side;
         const glm::dmat4 turn = moved(0, 0, 0, {0, 1, 0}, angle);
         if (side % 2 == 0) {
             for (const double end : {-1.0, 1.0})
@@ -107,19 +106,20 @@ void add_props(SceneBuilder& builder, std::int32_t node)
             add_rounded_box(column, {3.12, 0.06, 0.30}, 0.03, 1, turn * moved(0, 0.70, kWall));
         }
     }
-    builder.add_part(node, stone, std::move(column));
+    scene.add_shape(node, stone, std::move(column));
 
     Shape light;
     add_ellipsoid(light, {0.30, 0.30, 0.30}, 20, moved(0, 2.58, 0));
-    builder.add_part(node, lamp, std::move(light));
+    scene.add_shape(node, lamp, std::move(light));
 }
 
-void add_robots(SceneBuilder& builder)
+void add_robots(RobotScene& scene)
 {
     RobotPaint colors;
-    colors.metal = builder.add_material(painted("metal", {0.46f, 0.48f, 0.52f}, 0.55f, 35));
-    colors.rubber = builder.add_material(painted("rubber", {0.055f, 0.058f, 0.065f}, 0.25f, 18));
-    colors.glow = builder.add_material(
+    colors.metal = scene.builder().add_material(painted("metal", {0.46f, 0.48f, 0.52f}, 0.55f, 35));
+    colors.rubber =
+        scene.builder().add_material(painted("rubber", {0.055f, 0.058f, 0.065f}, 0.25f, 18));
+    colors.glow = scene.builder().add_material(
         glowing("glow", paint({0.3f, 0.8f, 0.9f}, 0.4f, 30), {0.35f, 0.95f, 1.0f}));
 
     // Linear colours, neighbours far apart.
@@ -141,13 +141,13 @@ void add_robots(SceneBuilder& builder)
         walk.speed = (inside ? 0.80 : 0.92) / walk.size;
         walk.step_s = 1.1 * std::sqrt(walk.size);
         const double place = inside ? static_cast<double>(r) / 4 : static_cast<double>(r - 4) / 6;
-        walk.start_rad = 2 * kPi * place + 0.35;
+        walk.start_rad = 2 * std::numbers::pi * place + 0.35;
         walk.phase = 0.37 * static_cast<double>(r);
         walk.waves = r == 2 || r == 8;
         const std::string name = "robot " + std::to_string(r + 1);
         colors.body =
-            builder.add_material(painted((name + " paint").c_str(), kColors[r], 0.5f, 40));
-        add_robot(builder, name, colors, walk, 0, kEnd);
+            scene.builder().add_material(painted((name + " paint").c_str(), kColors[r], 0.5f, 40));
+        add_robot(scene, name, colors, walk, 0, kEnd);
     }
 }
 
@@ -170,26 +170,21 @@ Placement camera_at(double time_s)
 
 Scene make_robots()
 {
-    SceneBuilder builder("robots");
-    const std::int32_t square = builder.add_node("square", -1, glm::dmat4(1));
-    add_ground(builder, square);
-    add_props(builder, square);
-    add_robots(builder);
+    RobotScene scene("robots", kEnd, 301); // 30 frames a second
+    const std::int32_t square = scene.add_node("square", -1, glm::dmat4(1));
+    add_ground(scene, square);
+    add_props(scene, square);
+    add_robots(scene);
 
-    Scene& scene = builder.scene();
-    scene.camera_track = builder.add_track(sample_track("camera", 0, kEnd, 0.5, camera_at));
-    const Placement start = camera_at(0);
-    Camera camera;
-    camera.eye = start.position;
-    camera.direction = -glm::mat3_cast(start.turn)[2];
-    camera.fov_y_rad = 0.70;
-    scene.camera = camera;
-    scene.lights.push_back({.position = {9, 16, 7}, .color = glm::vec3(0.80f, 0.76f, 0.68f)});
-    scene.lights.push_back({.position = {-14, 9, -6}, .color = glm::vec3(0.18f, 0.22f, 0.30f)});
-    scene.background = {0.30f, 0.45f, 0.66f};
-    scene.end_s = kEnd;
-    scene.frames = 301; // 30 a second
-    return builder.take();
+    SceneBuilder& builder = scene.builder();
+    const std::int32_t way =
+        scene.add_node("camera", -1, sample_track("camera", 0, kEnd, 0.5, camera_at));
+    builder.add_camera(
+        {.name = "camera", .camera = {.eye = {0, 0, 0}, .fov_y_rad = 0.70}, .node = way});
+    builder.add_light({.position = {9, 16, 7}, .color = glm::vec3(0.80f, 0.76f, 0.68f)});
+    builder.add_light({.position = {-14, 9, -6}, .color = glm::vec3(0.18f, 0.22f, 0.30f)});
+    builder.set_background({0.30f, 0.45f, 0.66f});
+    return scene.build();
 }
 
 } // namespace firsthit

@@ -9,6 +9,7 @@
 #include "samples/wave_kernel.h"
 
 #include <firsthit/error.h>
+#include <firsthit/scene_builder.h>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 namespace firsthit {
 namespace {
@@ -128,10 +130,7 @@ Scene make_wave(std::uint64_t triangles)
             triangles, kMinWave, kMaxWave));
     const Grid grid = grid_for(triangles);
 
-    Scene scene;
-    scene.name = "wave";
-    scene.nodes.push_back({.name = "cloth"});
-    Material& material = scene.materials.emplace_back();
+    Material material;
     material.name = "cloth";
     material.model = Phong{.ambient = {0.02f, 0.04f, 0.08f},
         .diffuse = {0.15f, 0.38f, 0.75f},
@@ -139,33 +138,30 @@ Scene make_wave(std::uint64_t triangles)
         .shininess = 25.0f};
 
     const std::uint32_t width = grid.columns + 1;
-    scene.index.reserve(std::size_t(grid.columns) * grid.rows * 2);
+    Mesh mesh;
+    mesh.index.reserve(std::size_t(grid.columns) * grid.rows * 2);
     for (std::uint32_t r = 0; r < grid.rows; ++r)
         for (std::uint32_t c = 0; c < grid.columns; ++c) {
             // z grows with the row, so that the front is up.
             const std::uint32_t a = r * width + c;
-            scene.index.emplace_back(a, a + width, a + width + 1);
-            scene.index.emplace_back(a, a + width + 1, a + 1);
+            mesh.index.emplace_back(a, a + width, a + width + 1);
+            mesh.index.emplace_back(a, a + width + 1, a + 1);
         }
-    scene.owner.assign(scene.index.size(), 0);
-    scene.vertices = std::size_t(width) * (grid.rows + 1);
+    mesh.vertices = std::size_t(width) * (grid.rows + 1);
+    mesh.deform = make_deform(grid);
 
-    Part& part = scene.parts.emplace_back();
-    part.name = "cloth";
-    part.vertex_count = static_cast<std::uint32_t>(scene.vertices);
-    part.triangle_count = static_cast<std::uint32_t>(scene.index.size());
-    part.deform = make_deform(grid);
-
+    SceneBuilder builder("wave");
+    builder.add_instance(builder.add_mesh(std::move(mesh)), builder.add_node({.name = "cloth"}),
+        builder.add_material(std::move(material)));
     Camera camera;
     camera.eye = {0, 2.55, 1.55};
     camera.direction = glm::dvec3(0, -0.02, 0.13) - camera.eye;
     camera.fov_y_rad = 0.81;
-    scene.camera = camera;
-    scene.lights.push_back({.position = {-2.5, 3.5, -1.5}});
-    scene.background = {0.02f, 0.03f, 0.05f};
-    scene.end_s = kPeriod;
-    scene.frames = 301; // 30 a second
-    return scene;
+    builder.add_camera({.name = "camera", .camera = camera});
+    builder.add_light({.position = {-2.5, 3.5, -1.5}});
+    builder.set_background({0.02f, 0.03f, 0.05f});
+    builder.add_clip({.name = "wave", .end_s = kPeriod, .frames = 301}); // 30 a second
+    return builder.build();
 }
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// background-inl.h - fills the samples that see nothing.
+// background-inl.h - fills the samples that see no triangle.
 #if defined(FIRSTHIT_SHADE_BACKGROUND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_BACKGROUND_INL_H_
 #undef FIRSTHIT_SHADE_BACKGROUND_INL_H_
@@ -26,9 +26,9 @@ HWY_INLINE void fill_samples(float* block, std::uint64_t samples, float value)
     }
 }
 
-/// The background's colour where no run has a sample, 0 in the other planes.
-inline void fill_background(
-    const HitTile& hits, const glm::vec3& background, const ShadeTargets& targets)
+/// Calls f(block, samples) with the samples that are in no run, for each block that has such.
+template <class F>
+HWY_INLINE void for_empty_samples(const HitTile& hits, const F& f)
 {
     constexpr int kMaxBlocks = (kMaxTile / kBlock) * (kMaxTile / kBlock);
     const int blocks = static_cast<int>(hits.blocks());
@@ -39,10 +39,16 @@ inline void fill_background(
         for (const HitRun& run : hits.runs) found[run.block] |= run.samples;
         covered = found;
     }
+    for (int block = 0; block < blocks; ++block)
+        if (~covered[block] != 0) f(block, ~covered[block]);
+}
 
-    for (int block = 0; block < blocks; ++block) {
-        const std::uint64_t samples = ~covered[block];
-        if (samples == 0) continue;
+/// Writes the samples that are in no run: the background's colour to the colour target, 0 to the
+/// others.
+inline void fill_background(
+    const HitTile& hits, const glm::vec3& background, const ShadeTargets& targets)
+{
+    for_empty_samples(hits, [&](int block, std::uint64_t samples) {
         const auto fill = [&](float* plane, float value) {
             if (plane) fill_samples(plane + block * kBlockSamples, samples, value);
         };
@@ -52,9 +58,13 @@ inline void fill_background(
             fill(targets.geometric_normal[axis], 0.0f);
             fill(targets.position[axis], 0.0f);
             fill(targets.albedo[axis], 0.0f);
+            fill(targets.emission[axis], 0.0f);
         }
-        for (int axis = 0; axis < 2; ++axis) fill(targets.uv[axis], 0.0f);
-    }
+        for (int axis = 0; axis < 2; ++axis) {
+            fill(targets.uv[axis], 0.0f);
+            fill(targets.metallic_roughness[axis], 0.0f);
+        }
+    });
 }
 
 } // namespace HWY_NAMESPACE

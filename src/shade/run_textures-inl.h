@@ -1,8 +1,8 @@
-// run_textures-inl.h - texture coordinates and footprints of the triangles of many runs, side by side.
+// run_textures-inl.h - texture coordinates and footprint gradients of the triangles of many runs.
 //
-// Large triangles are seen in block after block, and small ones once each. So runs are looked at
-// before their blocks are shaded: each triangle is worked out once, as many at a time as a register
-// has doubles.
+// A large triangle is seen in many blocks, a small one in a single block. Therefore the runs of
+// several blocks are prepared before the first of these blocks is shaded: each triangle is computed
+// once, and a register holds as many triangles as it has doubles.
 #if defined(FIRSTHIT_SHADE_RUN_TEXTURES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_RUN_TEXTURES_INL_H_
 #undef FIRSTHIT_SHADE_RUN_TEXTURES_INL_H_
@@ -11,7 +11,7 @@
 #endif
 
 #include "shade/run_setup.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 #include <hwy/cache_control.h>
 
@@ -28,29 +28,29 @@ namespace HWY_NAMESPACE {
 /// Index of a triangle's material.
 HWY_INLINE std::uint32_t material_of(const Scene& scene, std::uint32_t item)
 {
-    return scene.materials.size() == 1 ? 0 : scene.parts[scene.owner[item]].material;
+    return scene.materials.size() == 1 ? 0 : scene.instances[scene.owner[item]].material;
 }
 
-/// The same bits as run_uv and run_gradients for each of them.
+/// The results of run_uv and run_gradients, with the same bits, for up to kRuns consecutive runs.
 class RunTextures {
   public:
-    /// Most runs at a time.
+    /// The largest number of runs that are prepared together.
     static constexpr std::size_t kRuns = 192;
 
     struct Run {
         std::uint32_t material;
-        std::uint32_t slot; // kNoTexture: there is nothing to work out
-        const Texture* texture;
+        std::uint32_t slot;     // index of the results; kNoTexture: none are needed
+        const Texture* texture; // of a material without maps
+        MapNeeds needs;         // of a material with maps
     };
     static constexpr std::uint32_t kNoTexture = 0xFFFFFFFF;
 
-    /// Takes the place of what was found before.
-    ///
-    /// arrays  with uv
-    /// runs    of which the first kRuns are worked out, or all
+    /// Computes the results of the first kRuns of `runs`, or of all if there are fewer, and forgets
+    /// earlier results.
+    /// arrays  must have uv
     void find(const ShadeArrays& arrays, const Rays& rays, std::span<const HitRun> runs)
     {
-        std::array<std::uint8_t, kRecent> recent = {}; // run of the same item, perhaps
+        std::array<std::uint8_t, kRecent> recent = {}; // by item: a run that may have the same item
         slots_ = 0;
         const bool in_cache = arrays.scene->vertices <= kCachedVertices;
         for (std::size_t k = 0; k < std::min(kRuns, runs.size()); ++k) {
@@ -64,7 +64,7 @@ class RunTextures {
             same = std::uint8_t(k);
             run_[k] = new_run(arrays, item);
         }
-        work_out(arrays, rays);
+        compute_gradients(arrays, rays);
     }
 
     const Run& operator[](std::size_t run) const { return run_[run]; }
@@ -94,7 +94,7 @@ class RunTextures {
         pair[1][slot] = value.y;
     }
 
-    /// Asks for the memory of runs to come.
+    /// Prefetches the indices and corners of the runs ahead.
     static HWY_INLINE void prefetch(
         const ShadeArrays& arrays, std::span<const HitRun> runs, std::size_t run)
     {
@@ -116,9 +116,13 @@ class RunTextures {
     Run new_run(const ShadeArrays& arrays, std::uint32_t item)
     {
         const Scene& scene = *arrays.scene;
-        Run run{material_of(scene, item), kNoTexture, nullptr};
-        run.texture = texture_of(scene, scene.materials[run.material]);
-        if (!run.texture) return run;
+        Run run{material_of(scene, item), kNoTexture, nullptr, {}};
+        const Material& material = scene.materials[run.material];
+        if (kModels[material.model.index()].maps.empty())
+            run.texture = texture_of(scene, material);
+        else
+            run.needs = map_needs(arrays, material);
+        if (!run.texture && !run.needs.uv[0]) return run;
         run.slot = slots_++;
         const glm::uvec3& corner = scene.index[item];
         item_[run.slot] = item;
@@ -134,7 +138,7 @@ class RunTextures {
     }
 
 #if HWY_TARGET == HWY_SCALAR
-    void work_out(const ShadeArrays& arrays, const Rays& rays)
+    void compute_gradients(const ShadeArrays& arrays, const Rays& rays)
     {
         for (std::uint32_t slot = 0; slot < slots_; ++slot) {
             const RunGradients gradients =
@@ -145,8 +149,8 @@ class RunTextures {
         }
     }
 #else
-    /// run_plane and run_gradients, a triangle a lane.
-    void work_out(const ShadeArrays& /*arrays*/, const Rays& rays)
+    /// Vector version of run_plane and run_gradients: one triangle in each lane.
+    void compute_gradients(const ShadeArrays& /*arrays*/, const Rays& rays)
     {
         const hn::ScalableTag<double> d;
         const hn::Rebind<float, decltype(d)> f;
@@ -195,7 +199,8 @@ class RunTextures {
     std::uint32_t slots_ = 0;
     Run run_[kRuns];
     std::uint32_t item_[kRuns];
-    // By slot; whole registers fit.
+    // Indexed by slot. kRuns is a multiple of all register sizes, so whole registers may be
+    // written.
     alignas(64) float corner_[9][kRuns];
     alignas(64) Pair uv_[3];       // at0, to1, to2
     alignas(64) Pair gradient_[3]; // of u, v, 1

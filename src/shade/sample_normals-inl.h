@@ -1,8 +1,8 @@
-// sample_normals-inl.h - normals of a register of samples, each with a triangle of its own.
+// sample_normals-inl.h - normals of a register of samples that each see another triangle.
 //
-// Where triangles are about as small as samples, working out what the samples of a triangle share
-// is more than what it spares. Here 4, 8 or 16 triangles are fetched and worked out at once: a
-// corner is one load of 16 bytes, and registers are transposed as 4x4 matrices.
+// If triangles are about as small as samples, it costs more to prepare what the samples of a
+// triangle share than that saves. Here 4, 8 or 16 triangles are loaded and computed at once: a
+// corner is one load of 16 bytes, and the registers are transposed as 4x4 matrices.
 #if defined(FIRSTHIT_SHADE_SAMPLE_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_SAMPLE_NORMALS_INL_H_
 #undef FIRSTHIT_SHADE_SAMPLE_NORMALS_INL_H_
@@ -11,7 +11,7 @@
 #endif
 
 #include "hits/run_lanes-inl.h"
-#include "shade/block_surface-inl.h"
+#include "shade/block_attributes-inl.h"
 
 #include <bit>
 
@@ -19,22 +19,22 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The corners of each sample's triangle, and its normal towards the eye, in a block. Samples that have none keep what they had in
-/// the blocks before.
+/// For each sample of a block: the corners of its triangle, and the triangle's normal towards the
+/// eye. Samples without a triangle keep the values of an earlier block.
 struct SampleCorners {
-    std::uint32_t last;    // of all vertices
-    bool has_last = false; // it was set in some block
+    std::uint32_t last;    // number of the world's last vertex
+    bool has_last = false; // some triangle so far has that vertex
     alignas(64) std::uint32_t vertex[3][kBlockSamples] = {};
     alignas(64) float to_eye[3][kBlockSamples] = {};
 
     explicit SampleCorners(std::size_t vertices) : last(static_cast<std::uint32_t>(vertices - 1)) {}
 
-    /// places  a bit for each: the run's samples, or its number
-    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run, std::uint64_t places)
+    /// lanes  a bit for each entry to set: the run's samples, or the run's number in its block
+    HWY_INLINE void set(const glm::uvec3& corner, const HitRun& run, std::uint64_t lanes)
     {
         has_last |= corner.x == last || corner.y == last || corner.z == last;
-        for (; places != 0; places &= places - 1) {
-            const int k = std::countr_zero(places);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int k = std::countr_zero(lanes);
             vertex[0][k] = corner.x;
             vertex[1][k] = corner.y;
             vertex[2][k] = corner.z;
@@ -43,9 +43,10 @@ struct SampleCorners {
     }
 };
 
-/// from[vertex[0]], from[vertex[1]], ... of a register.
+/// Loads from[vertex[0]], from[vertex[1]], ..., one for each lane of a register.
 ///
-/// kWhole  a load may not reach beyond the 12 bytes of its vector: the last of its array is there
+/// kWhole  no load may reach beyond the 12 bytes of its vector: needed if the array's last vector
+///         is among them. Otherwise 16 bytes are loaded
 template <bool kWhole>
 HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* vertex)
 {
@@ -60,7 +61,8 @@ HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* verte
         alignas(16) const float copy[4] = {v[0], v[1], v[2], 0};
         return hn::Load(four, copy);
     };
-    // Each 128-bit part has the vector of a lane, four lanes on in the next.
+    // Each 128-bit lane of the result holds one vector: those of lanes `lane`, lane + 4, lane + 8,
+    // ...
     const auto every_fourth = [&](int lane) {
         if constexpr (kLanes == 4) {
             return one(lane);
@@ -88,12 +90,13 @@ HWY_INLINE real3 fetch_vectors(const glm::vec3* from, const std::uint32_t* verte
 #endif
 }
 
-/// As Interpolated<glm::vec3> (run_setup.h), a triangle a lane.
+/// Vector version of Interpolated<glm::vec3> (run_setup.h): one triangle in each lane.
 struct LaneNormals {
     real3 at0, to1, to2;
 };
 
-/// Of the triangles number first to first + kLanes - 1, in the steps of run_normal (run_setup.h).
+/// The normals of entries [first, first + kLanes) of `corners`, computed in the same steps as
+/// run_normal (run_setup.h).
 template <bool kWhole>
 HWY_INLINE LaneNormals lane_normals(
     const ShadeArrays& arrays, const SampleCorners& corners, int first)
@@ -108,49 +111,54 @@ HWY_INLINE LaneNormals lane_normals(
     return {n0 * flip, (n1 - n0) * flip, (n2 - n0) * flip};
 }
 
-/// At the samples [first, first + kLanes) of the block, into the surface.
+/// Interpolates normals at the samples [first, first + kLanes) of the block and stores them.
 HWY_INLINE void store_normals(const LaneNormals& normals, const HitTile& hits, std::size_t block,
-    int first, BlockSurface& surface)
+    int first, BlockAttributes& attributes)
 {
     const auto& [at0, to1, to2] = normals;
     const std::size_t at = block * kBlockSamples + std::size_t(first);
     const real u = load(hits.u + at), v = load(hits.v + at);
-    store(at0.x + (u * to1.x + v * to2.x), surface.normal[0] + first);
-    store(at0.y + (u * to1.y + v * to2.y), surface.normal[1] + first);
-    store(at0.z + (u * to1.z + v * to2.z), surface.normal[2] + first);
+    store(at0.x + (u * to1.x + v * to2.x), attributes.normal[0] + first);
+    store(at0.y + (u * to1.y + v * to2.y), attributes.normal[1] + first);
+    store(at0.z + (u * to1.z + v * to2.z), attributes.normal[2] + first);
 }
+
+/// The runs of a block, and a bit for each of its samples that light reaches.
+struct ReachedRuns {
+    std::span<const HitRun> runs;
+    std::uint64_t samples;
+};
 
 /// Of a block's samples that are reached, each with the corners of its own.
 template <bool kWhole>
-HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits, std::size_t block,
-    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+HWY_INLINE void sample_normals(const ShadeArrays& arrays, const HitTile& hits,
+    const ReachedRuns& reached, const SampleCorners& corners, BlockAttributes& attributes)
 {
     for (int first = 0; first < kBlockSamples; first += kLanes)
-        if (lane_bits(reached, first) != 0)
-            store_normals(
-                lane_normals<kWhole>(arrays, corners, first), hits, block, first, surface);
+        if (lane_bits(reached.samples, first) != 0)
+            store_normals(lane_normals<kWhole>(arrays, corners, first), hits, reached.runs[0].block,
+                first, attributes);
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// The same, of runs that are few enough for RunLanes, each with the corners of its number.
+/// The same for at most kMostRunLanes runs. `corners` has an entry for each run.
 template <bool kWhole>
 HWY_INLINE void sample_run_normals(const ShadeArrays& arrays, const HitTile& hits,
-    std::span<const HitRun> runs, std::uint64_t reached, const SampleCorners& corners,
-    BlockSurface& surface)
+    const ReachedRuns& reached, const SampleCorners& corners, BlockAttributes& attributes)
 {
     static_assert(kMostRunLanes == kLanes);
     const LaneNormals of_run = lane_normals<kWhole>(arrays, corners, 0);
-    const RunLanes lanes(runs);
+    const RunLanes lanes(reached.runs);
     for (int first = 0; first < kBlockSamples; first += kLanes) {
-        if (lane_bits(reached, first) == 0) continue;
+        if (lane_bits(reached.samples, first) == 0) continue;
         const auto pick = [&](const real3& v) {
             const auto one = [&](real a) {
                 return real(hn::Vec<RealTag>{lanes.of_samples(first, a.lanes.raw)});
             };
             return real3(one(v.x), one(v.y), one(v.z));
         };
-        store_normals({pick(of_run.at0), pick(of_run.to1), pick(of_run.to2)}, hits, runs[0].block,
-            first, surface);
+        store_normals({pick(of_run.at0), pick(of_run.to1), pick(of_run.to2)}, hits,
+            reached.runs[0].block, first, attributes);
     }
 }
 #endif

@@ -1,4 +1,4 @@
-// sample_texture-inl.h - the texture's colour for the samples of a block, trilinear.
+// sample_texture-inl.h - samples a texture trilinearly for the samples of a block.
 #if defined(FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_
 #undef FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_
@@ -6,7 +6,7 @@
 #define FIRSTHIT_SHADE_SAMPLE_TEXTURE_INL_H_
 #endif
 
-#include "shade/block_surface-inl.h"
+#include "shade/block_attributes-inl.h"
 
 #include <firsthit/texture.h>
 
@@ -16,13 +16,13 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// a where `choose_a` in its lanes, else b.
+/// Selects a in the lanes of `choose_a`, b in the others.
 FIRSTHIT_PURE real3 select3(truth choose_a, real3 a, real3 b)
 {
     return real3(mix(b.x, a.x, choose_a), mix(b.y, a.y, choose_a), mix(b.z, a.z, choose_a));
 }
 
-/// Where in the texture's texels each lane's level begins.
+/// The index of the first texel of each lane's mip level.
 FIRSTHIT_PURE integer first_texel(const Texture& texture, integer level)
 {
     const std::int32_t* first = texture.first().data();
@@ -35,54 +35,94 @@ FIRSTHIT_PURE integer first_texel(const Texture& texture, integer level)
 #endif
 }
 
-/// Which texels the samples of a block see, and how much each counts. Only registers with chosen
-/// samples are defined.
+/// The texels that are read for the samples of a block, and their weights. Undefined for registers
+/// without chosen samples.
 struct BlockTexels {
-    /// Of two neighbours, the left and the right one.
+    /// Pairs of horizontally neighbouring texels.
     struct alignas(64) Pairs {
-        std::int32_t left[kBlockSamples];    // index; the right one is next
-        std::int32_t weights[kBlockSamples]; // the right one's times 2^16, plus the left one's
+        std::int32_t left[kBlockSamples]; // index of the left texel; the right one is next
+        std::int32_t
+            weights[kBlockSamples]; // weight of the right texel * 2^16 + that of the left one
     };
     struct Level {
         Pairs top, bottom;
     };
     Level finer, coarser;
-    std::uint64_t blended; // samples for which the coarser level counts
+    std::uint64_t blended; // bits of the samples that also read the coarser level
 };
 
-/// Where the samples of a block are in a texture, which levels they see, and how much each counts.
-struct alignas(64) BlockPlaces {
-    float right[kBlockSamples]; // from the left edge, 0 to 1
-    float down[kBlockSamples];  // from the top edge, 0 to 1
-    float finer[kBlockSamples];
-    std::int32_t coarser_weight[kBlockSamples]; // of whole_weight()
+/// Texture coordinates and mip levels of the samples of a block.
+struct alignas(64) BlockTexCoords {
+    float right[kBlockSamples];                 // from the left edge, 0 to 1
+    float down[kBlockSamples];                  // from the top edge, 0 to 1
+    float finer[kBlockSamples];                 // the finer of the two levels that are blended
+    std::int32_t coarser_weight[kBlockSamples]; // weight of the coarser level, 0 to whole_weight()
 };
 
-/// Each sample has two levels of its own. Returns those for which the coarser one counts: none where
-/// texels are enlarged.
-HWY_INLINE std::uint64_t find_places(
-    const Texture& texture, const BlockSurface& surface, std::uint64_t samples, BlockPlaces& places)
+/// A texture, and how the samples of a block look it up.
+struct MapLookup {
+    const Texture& texture;
+    const TextureRef& map; // of which the transform is used
+    const float (&uv)[2][kBlockSamples];
+    const float (&footprint2)[kBlockSamples]; // of the transformed coordinates
+};
+
+/// The same as find_tex_coords, for every sampler and transform.
+HWY_INLINE std::uint64_t find_map_coords(
+    const MapLookup& lookup, std::uint64_t samples, BlockTexCoords& coords)
 {
-    const real last(static_cast<float>(texture.levels() - 1));
+    const Sampler& sampler = lookup.texture.sampler();
+    const real last(sampler.nearest ? 0.0f : static_cast<float>(lookup.texture.levels() - 1));
+    const glm::mat3x2& m = lookup.map.transform;
     std::uint64_t blended = 0;
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         if (lane_bits(samples, first) == 0) continue;
-        const real level = mip_level(load(surface.footprint2 + first), last);
+        const real u = load(lookup.uv[0] + first), v = load(lookup.uv[1] + first);
+        const real level = mip_level(load(lookup.footprint2 + first), last);
         const real finer = floor(level);
         const real rest = level - finer;
-        store(finer, places.finer + first);
-        store(repeat(load(surface.uv[0] + first)), places.right + first);
-        store(1.0f - repeat(load(surface.uv[1] + first)), places.down + first);
+        store(finer, coords.finer + first);
+        store(
+            wrapped((m[0].x * u + m[1].x * v) + m[2].x, int(sampler.wrap_u)), coords.right + first);
+        store(1.0f - wrapped((m[0].y * u + m[1].y * v) + m[2].y, int(sampler.wrap_v)),
+            coords.down + first);
         hn::Store(
-            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), places.coarser_weight + first);
+            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), coords.coarser_weight + first);
         blended |= bits_of_truth(rest > real(0.0f)) << first;
     }
     return blended & samples;
 }
 
-/// Finds the texels of the finer or the coarser levels.
+/// Computes texture coordinates and mip levels. Each sample blends two neighbouring levels. Returns
+/// the bits of the samples for which the coarser level has a weight; where the texture is magnified
+/// there are none.
+HWY_INLINE std::uint64_t find_tex_coords(const Texture& texture, const BlockAttributes& attributes,
+    std::uint64_t samples, BlockTexCoords& coords)
+{
+    const real last(static_cast<float>(texture.levels() - 1));
+    const Sampler& sampler = texture.sampler();
+    if (sampler.nearest || sampler.wrap_u != Wrap::repeat || sampler.wrap_v != Wrap::repeat)
+        return find_map_coords(
+            {texture, {}, attributes.uv, attributes.footprint2}, samples, coords);
+    std::uint64_t blended = 0;
+    for (int first = 0; first < kBlockSamples; first += kLanes) {
+        if (lane_bits(samples, first) == 0) continue;
+        const real level = mip_level(load(attributes.footprint2 + first), last);
+        const real finer = floor(level);
+        const real rest = level - finer;
+        store(finer, coords.finer + first);
+        store(repeat(load(attributes.uv[0] + first)), coords.right + first);
+        store(1.0f - repeat(load(attributes.uv[1] + first)), coords.down + first);
+        hn::Store(
+            whole_to_integer(rest * 32767.0f).lanes, IntegerTag(), coords.coarser_weight + first);
+        blended |= bits_of_truth(rest > real(0.0f)) << first;
+    }
+    return blended & samples;
+}
+
+/// Finds the texels and weights of the finer or of the coarser level.
 template <bool coarser>
-HWY_INLINE void find_texels(const Texture& texture, const BlockPlaces& places,
+HWY_INLINE void find_texels(const Texture& texture, const BlockTexCoords& coords,
     std::uint64_t samples, BlockTexels::Level& texels)
 {
     const real width(static_cast<float>(texture.width()));
@@ -91,17 +131,19 @@ HWY_INLINE void find_texels(const Texture& texture, const BlockPlaces& places,
     const IntegerTag d;
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         if (lane_bits(samples, first) == 0) continue;
-        const real right = load(places.right + first);
-        const real down = load(places.down + first);
-        real level = load(places.finer + first);
-        integer weight(hn::Load(d, places.coarser_weight + first));
+        const real right = load(coords.right + first);
+        const real down = load(coords.down + first);
+        real level = load(coords.finer + first);
+        integer weight(hn::Load(d, coords.coarser_weight + first));
         if (coarser)
             level = min(level + 1.0f, last);
         else
             weight = whole_weight() - weight;
 
         const Texels at =
-            bilinear_texels(right, down, level_size(width, level), level_size(height, level));
+            texture.sampler().nearest
+                ? nearest_texels(right, down, width, height)
+                : bilinear_texels(right, down, level_size(width, level), level_size(height, level));
         const TexelWeights weights = texel_weights(at, weight);
         const integer begin = first_texel(texture, whole_to_integer(level));
         const auto keep = [&](integer index, integer left, integer right_weight,
@@ -117,39 +159,37 @@ HWY_INLINE void find_texels(const Texture& texture, const BlockPlaces& places,
 
 #if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
 
-/// Sums of weighted texels of a register of samples, while pairs are added.
+/// Accumulates sums of weighted texels for a register of samples.
 class WeightedTexels {
   public:
-    /// texel  the texture's
+    /// texel  all texels of the texture
     void add(const Texel* texel, const BlockTexels::Pairs& pairs, int first)
     {
         for (int lane = 0; lane < kLanes; ++lane) {
             const Texel* const left = texel + pairs.left[first + lane];
             const std::int32_t weights = pairs.weights[first + lane];
-            for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t c = 0; c < 4; ++c)
                 sum_[c][lane] += (weights & 0xFFFF) * left[0][c] + (weights >> 16) * left[1][c];
         }
     }
 
-    real3 light() const
-    {
-        const auto channel = [&](int c) {
-            return texel_light(integer(hn::Load(IntegerTag(), sum_[c])));
-        };
-        return real3(channel(0), channel(1), channel(2));
-    }
+    real3 light() const { return real3(channel(0), channel(1), channel(2)); }
+    real alpha() const { return channel(3); }
 
   private:
-    alignas(64) std::int32_t sum_[3][kLanes] = {};
+    real channel(int c) const { return texel_light(integer(hn::Load(IntegerTag(), sum_[c]))); }
+
+    alignas(64) std::int32_t sum_[4][kLanes] = {};
 };
 
 #else
 
-/// Sums of weighted texels of a register of samples, while pairs are added.
+/// Accumulates sums of weighted texels for a register of samples.
 ///
-/// Two neighbours are 16 bytes, one load. A register holds those of every fourth sample: of samples
-/// 0, 4, 8 and 12 in one of 16, and so on. After their channels are put side by side, an instruction
-/// multiplies both texels with their weights and adds the two; the sums are transposed in the end.
+/// Two neighbouring texels are 16 bytes, a single load. A register holds the pairs of every fourth
+/// sample: with 16 lanes, those of samples 0, 4, 8 and 12, and so on. Once the channels of both
+/// texels are side by side, one instruction multiplies both with their weights and adds the
+/// products. The sums are transposed at the end.
 class WeightedTexels {
   public:
     HWY_INLINE WeightedTexels()
@@ -157,7 +197,7 @@ class WeightedTexels {
         for (Sum& sum : sum_) sum = hn::Zero(IntegerTag());
     }
 
-    /// texel  the texture's
+    /// texel  all texels of the texture
     HWY_INLINE void add(const Texel* texel, const BlockTexels::Pairs& pairs, int first)
     {
         const IntegerTag d;
@@ -180,11 +220,17 @@ class WeightedTexels {
             texel_light(integer(hn::InterleaveUpper(d, red_green_02, red_green_13))),
             texel_light(integer(hn::InterleaveLower(d, blue_02, blue_13))));
     }
+    HWY_INLINE real alpha() const
+    {
+        const IntegerTag d;
+        return texel_light(integer(hn::InterleaveUpper(d, hn::InterleaveUpper(d, sum_[0], sum_[2]),
+            hn::InterleaveUpper(d, sum_[1], sum_[3]))));
+    }
 
   private:
     using Sum = hn::Vec<IntegerTag>;
 
-    /// Two texels from each fourth index on.
+    /// Loads two texels at every fourth index.
     static HWY_INLINE auto load_pairs(const Texel* texel, const std::int32_t* index)
     {
         const auto pair = [&](int lane) {
@@ -201,7 +247,7 @@ class WeightedTexels {
 #endif
     }
 
-    /// Of samples k, k + 4, ...
+    /// Adds the pairs of samples k, k + 4, ...
     template <int k>
     static HWY_INLINE Sum add_samples(
         const Texel* texel, const std::int32_t* index, Sum weights, Sum sum)
@@ -212,7 +258,7 @@ class WeightedTexels {
         const hn::Repartition<std::uint8_t, decltype(d)> bytes;
         const auto pairs = hn::TableLookupBytes(
             load_pairs(texel, index + k), hn::BitCast(d, hn::LoadDup128(bytes, kSideBySide)));
-        Sum none = hn::Zero(IntegerTag()); // x86 leaves it so
+        Sum none = hn::Zero(IntegerTag()); // second sum of the instruction; stays 0 on x86
         return hn::ReorderWidenMulAccumulate(
             IntegerTag(), pairs, hn::BitCast(d, hn::Broadcast<k>(weights)), sum, none);
     }
@@ -222,9 +268,13 @@ class WeightedTexels {
 
 #endif
 
-/// Writes the light of chosen samples, and any to others of their registers.
+/// Writes the linear colours of the chosen samples. Other samples of the same registers become
+/// garbage.
+///
+/// alpha  whether to write alpha, too
+template <bool alpha, int channels>
 HWY_NOINLINE void weigh_texels(const Texture& texture, const BlockTexels& texels,
-    std::uint64_t samples, float (&light)[3][kBlockSamples])
+    std::uint64_t samples, float (&light)[channels][kBlockSamples])
 {
     const Texel* const texel = texture.texels().data();
     for (int first = 0; first < kBlockSamples; first += kLanes) {
@@ -240,22 +290,24 @@ HWY_NOINLINE void weigh_texels(const Texture& texture, const BlockTexels& texels
         store(color.x, light[0] + first);
         store(color.y, light[1] + first);
         store(color.z, light[2] + first);
+        if constexpr (alpha) store(sums.alpha(), light[3] + first);
     }
 }
 
-/// Writes the trilinear colour of chosen samples to `light`, and any to others of their registers.
-/// Step by step for all of them: what a sample waits for is worked out for others meanwhile.
+/// Writes the trilinear colours of the chosen samples to `light`, linear. Other samples of the same
+/// registers become garbage. Each step is done for all samples before the next one begins, so that
+/// the processor computes some samples while it waits for the memory of others.
 ///
 /// source  Williams 1983, "Pyramidal parametrics"
-HWY_NOINLINE void sample_texture(const Texture& texture, const BlockSurface& surface,
+HWY_NOINLINE void sample_texture(const Texture& texture, const BlockAttributes& attributes,
     std::uint64_t samples, float (&light)[3][kBlockSamples])
 {
     BlockTexels texels;
-    BlockPlaces places;
-    texels.blended = find_places(texture, surface, samples, places);
-    find_texels<false>(texture, places, samples, texels.finer);
-    find_texels<true>(texture, places, texels.blended, texels.coarser);
-    weigh_texels(texture, texels, samples, light);
+    BlockTexCoords coords;
+    texels.blended = find_tex_coords(texture, attributes, samples, coords);
+    find_texels<false>(texture, coords, samples, texels.finer);
+    find_texels<true>(texture, coords, texels.blended, texels.coarser);
+    weigh_texels<false>(texture, texels, samples, light);
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// shade_light.h - lights as the loop over samples reads them, worked out once a tile.
+// shade_light.h - lights in the form that shading needs, computed once for each tile.
 #pragma once
 
 #include "hits/spot_cone.h"
@@ -18,14 +18,20 @@ struct ShadeLight {
     Light::Kind kind = Light::Kind::point;
     glm::vec3 color{1};
     glm::vec3 position{0}; // point, spot
-    glm::vec3 to_light{0}; // directional: unit
+    glm::vec3 to_light{0}; // directional: unit vector towards the light
     SpotCone cone{};       // spot
+    float inv_range2 =
+        -1; // below 0: it does not fade with distance; else see src/glsl/falloff.glsl
 };
 
 inline ShadeLight shade_light(const Light& light)
 {
     ShadeLight shade{.kind = light.kind, .color = light.color};
     shade.position = glm::vec3(light.position);
+    if (light.inverse_square && light.kind != Light::Kind::directional)
+        shade.inv_range2 = light.range > 0
+                               ? static_cast<float>(std::min(1 / (light.range * light.range), 1e30))
+                               : 0.0f;
     switch (light.kind) {
     case Light::Kind::point:
         break;
@@ -39,8 +45,8 @@ inline ShadeLight shade_light(const Light& light)
     return shade;
 }
 
-/// The lights of a world. Without memory of its own beyond the stack: lights after the first
-/// kKept are worked out wherever they are asked for, which costs them about 10 ns a register.
+/// The lights of a world. Allocates nothing: it keeps the first kKept lights, and computes each
+/// later one again in every call of at(), which costs about 10 ns for each register of samples.
 class ShadeLights {
   public:
     static constexpr std::size_t kKept = 16;
@@ -53,7 +59,7 @@ class ShadeLights {
 
     std::size_t size() const { return lights_.size(); }
 
-    /// spare  holds a light that is not kept
+    /// spare  memory for a light that is not kept; the result may refer to it
     const ShadeLight& at(std::size_t light, ShadeLight& spare) const
     {
         if (light < kKept) return kept_[light];

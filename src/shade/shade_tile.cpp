@@ -1,4 +1,5 @@
-// shade_tile.cpp - what colour is it? Block by block: spread the runs, then light each material.
+// shade_tile.cpp - computes the colours of a tile: for each block, first the interpolated
+// attributes of its samples, then the colours of each material's samples.
 #include "shade/shade_tile.h"
 
 #include "hits/known_run.h"
@@ -17,8 +18,8 @@
 
 #include <hwy/cache_control.h>
 
-#include "shade/background-inl.h"
-#include "shade/block_surface-inl.h"
+#include "shade/environment_background-inl.h"
+#include "shade/block_attributes-inl.h"
 #include "shade/run_textures-inl.h"
 #include "shade/sample_normals-inl.h"
 #include "shade/shade_block-inl.h"
@@ -27,13 +28,13 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// The samples of each material in a block, at most 64 different ones.
+/// The samples of a block by material. A block has 64 samples, so at most 64 materials.
 class BlockMaterials {
   public:
-    /// Callers see to it that every call brings samples that no other call has.
+    /// Adds samples of a material. No sample may be added twice.
     void add(std::uint32_t material, std::uint64_t samples)
     {
-        // Neighbours mostly share their material: look at the newest first.
+        // Neighbouring runs mostly have the same material: compare with the newest first.
         for (int i = count_ - 1; i >= 0; --i)
             if (group_[i].material == material) {
                 group_[i].samples |= samples;
@@ -54,14 +55,15 @@ class BlockMaterials {
     Group group_[kBlockSamples];
 };
 
-/// Runs of a block from which on its samples are worked out one by one (measured).
+/// From this number of runs in a block on, normals are computed for each sample by itself
+/// (measured).
 constexpr std::size_t kManyRuns = 5;
 
-/// Fetches what the runs to come will need into the cache, ahead of them: where arrays are larger
-/// than the caches, waiting for them is most of the time.
+/// Prefetches the vertex data of the runs ahead. If a scene's arrays are larger than the caches,
+/// waiting for them would take most of the time.
 class RunPrefetch {
   public:
-    /// uv  whether texture coordinates will be asked for, and the positions with them
+    /// uv  whether texture coordinates, and therefore positions, will be needed
     RunPrefetch(const ShadeArrays& arrays, std::span<const HitRun> runs, bool uv)
         : arrays_(arrays),
           uv_(uv),
@@ -71,9 +73,10 @@ class RunPrefetch {
     {
     }
 
-    /// Of the runs after number `run`.
+    /// Prefetches the data of the runs after number `run`.
     ///
-    /// reached  whether light has reached the block before: else these want no normals either
+    /// reached  whether a light reached the previous block. If not, the next ones probably need no
+    ///          normals either
     HWY_INLINE void advance(std::size_t run, bool reached)
     {
         if (!uv_ && !reached) return;
@@ -96,7 +99,7 @@ class RunPrefetch {
     }
 
   private:
-    static constexpr std::size_t kAhead = 64;               // runs: a block of them
+    static constexpr std::size_t kAhead = 64;               // runs; a block has at most so many
     static constexpr std::size_t kCachedVertices = 1 << 15; // 24 bytes each
 
     const ShadeArrays& arrays_;
@@ -106,31 +109,59 @@ class RunPrefetch {
     std::size_t corner_ = 0;
 };
 
-/// Writes the normals of a block with many runs. See fetch_vectors about kWhole.
+/// Stores the normals of a block with many runs. kWhole: see fetch_vectors.
 template <bool kWhole>
-HWY_INLINE void spread_normals(const TileShade& tile, std::span<const HitRun> runs,
-    std::uint64_t reached, const SampleCorners& corners, BlockSurface& surface)
+HWY_INLINE void spread_normals(const TileShade& tile, const ReachedRuns& reached,
+    const SampleCorners& corners, BlockAttributes& attributes)
 {
 #if HWY_TARGET == HWY_AVX3
-    if (runs.size() <= kMostRunLanes) {
-        sample_run_normals<kWhole>(tile.arrays, tile.hits, runs, reached, corners, surface);
+    if (reached.runs.size() <= kMostRunLanes) {
+        sample_run_normals<kWhole>(tile.arrays, tile.hits, reached, corners, attributes);
         return;
     }
 #endif
-    sample_normals<kWhole>(tile.arrays, tile.hits, runs[0].block, reached, corners, surface);
+    sample_normals<kWhole>(tile.arrays, tile.hits, reached, corners, attributes);
 }
 
-/// Works out what the block's targets need of its runs' triangles.
+/// Writes what maps and colours of vertices need of a run, except the first texture coordinates.
 ///
-/// textures  null: each run works out its own; else has the runs, from number `first` on
-HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const HitRun> runs,
-    const RunTextures* textures, std::size_t first, std::uint64_t reached, bool planes,
-    SampleCorners& corners, BlockSurface& surface)
+/// to_eye  the plane's normal towards the eye; null: normals and tangents are not needed
+HWY_INLINE void spread_maps(const TileShade& tile, const HitRun& run, const MapNeeds& needs,
+    const glm::vec4* to_eye, BlockAttributes& attributes)
 {
+    const ShadeArrays& arrays = tile.arrays;
+    const glm::uvec3& corner = arrays.scene->index[run.item];
+    if (arrays.color) spread_vector(run_color(arrays, corner), run, tile.hits, attributes.color);
+    if (needs.tangent && to_eye)
+        spread_tangent({arrays, corner, glm::vec3(*to_eye)}, run, tile.hits, attributes);
+    if (!needs.uv[1]) return;
+    const RunPlane plane = run_plane(arrays, run.item, tile.hits.rays);
+    const Interpolated<glm::vec2> uv = run_uv1(arrays, corner);
+    spread_uv_steps<1>(
+        {uv, run_gradients(plane, uv, tile.hits.rays), nullptr}, run, tile.hits, attributes);
+}
+
+/// The textures of some runs that were found ahead of time. The runs of a block begin at number
+/// `first`. Null: each run finds its own texture.
+struct FoundTextures {
+    const RunTextures* textures;
+    std::size_t first;
+};
+
+/// Works out what the block's targets need of its runs' triangles.
+HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, const ReachedRuns& block,
+    const FoundTextures& ahead, SampleCorners& corners, BlockAttributes& attributes)
+{
+    const std::span<const HitRun> runs = block.runs;
+    const std::uint64_t reached = block.samples;
+    const RunTextures* const textures = ahead.textures;
+    const std::size_t first = ahead.first;
+    const bool planes = tile.planes;
     const ShadeArrays& arrays = tile.arrays;
     const Scene& scene = *arrays.scene;
     const bool one_by_one = !planes && arrays.normal && runs.size() >= kManyRuns;
     const bool with_uv = tile.targets.uv[0] != nullptr;
+    const bool textured = (arrays.uv || arrays.uv1) && !scene.textures.empty();
 
     BlockMaterials materials;
     for (const HitRun& run : runs) {
@@ -138,6 +169,12 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
             textures ? &(*textures)[first + std::size_t(&run - runs.data())] : nullptr;
         const std::uint32_t material = found ? found->material : material_of(scene, run.item);
         materials.add(material, run.samples);
+        const bool has_maps =
+            !found && textured && !kModels[scene.materials[material].model.index()].maps.empty();
+        const MapNeeds needs = found      ? found->needs
+                               : has_maps ? map_needs(arrays, scene.materials[material])
+                                          : MapNeeds{};
+        glm::vec4 to_eye(0);
         const bool seen = planes || (run.samples & reached) != 0;
         if (seen) {
             HitRun spare;
@@ -147,35 +184,49 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, std::span<const H
                     runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())
                                                  : run.samples);
             else
-                spread_normal(run_normal(arrays, scene.index[run.item], glm::vec3(known.plane)),
-                    run, tile.hits, surface);
+                spread_vector(run_normal(arrays, scene.index[run.item], glm::vec3(known.plane)),
+                    run, tile.hits, attributes.normal);
+            if (needs.tangent) to_eye = glm::vec4(glm::vec3(known.plane), 0);
         }
+        if (arrays.color || needs.tangent || needs.uv[1])
+            spread_maps(tile, run, needs, seen ? &to_eye : nullptr, attributes);
         if (found) {
             if (found->texture)
-                spread_uv(textures->uv(found->slot), textures->gradients(found->slot),
-                    found->texture, run, tile.hits, surface);
+                spread_uv(
+                    {textures->uv(found->slot), textures->gradients(found->slot), found->texture},
+                    run, tile.hits, attributes);
+            else if (needs.uv[0])
+                spread_uv_steps<0>(
+                    {textures->uv(found->slot), textures->gradients(found->slot), nullptr}, run,
+                    tile.hits, attributes);
             continue;
         }
-        const Texture* texture = arrays.uv ? texture_of(scene, scene.materials[material]) : nullptr;
-        if (!texture && !planes) continue;
-        if (planes) spread_geometric(geometric_normal(arrays, run, tile.hits.rays), run, surface);
-        if (!texture && !with_uv) continue;
+        const Texture* texture =
+            arrays.uv && !has_maps ? texture_of(scene, scene.materials[material]) : nullptr;
+        const bool in_texture = texture || needs.uv[0];
+        if (!in_texture && !planes) continue;
+        if (planes)
+            spread_geometric(geometric_normal(arrays, run, tile.hits.rays), run, attributes);
+        if (!in_texture && !with_uv) continue;
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.rays);
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
         RunGradients gradients;
-        if (texture) gradients = run_gradients(plane, uv, tile.hits.rays);
-        spread_uv(uv, gradients, texture, run, tile.hits, surface);
+        if (in_texture) gradients = run_gradients(plane, uv, tile.hits.rays);
+        if (needs.uv[0])
+            spread_uv_steps<0>({uv, gradients, nullptr}, run, tile.hits, attributes);
+        else
+            spread_uv({uv, gradients, texture}, run, tile.hits, attributes);
     }
     if (one_by_one) {
         if (corners.has_last)
-            spread_normals<true>(tile, runs, reached, corners, surface);
+            spread_normals<true>(tile, block, corners, attributes);
         else
-            spread_normals<false>(tile, runs, reached, corners, surface);
+            spread_normals<false>(tile, block, corners, attributes);
     }
     return materials;
 }
 
-/// Hits of whole pictures are kept longer than caches can hold them.
+/// With shadows, the hits of a whole picture are kept, and they are no longer in cache here.
 constexpr std::uint32_t kBlocksAhead = 4;
 
 HWY_INLINE void prefetch_hits(const HitTile& hits, std::uint32_t block)
@@ -192,20 +243,24 @@ void shade(const HitTile& hits, const World& world, const LightVisibility& lit,
 {
     const ShadeLights lights(world.lights);
     const ShadeArrays arrays = shade_arrays(world);
-    const TileShade tile{hits, world, arrays, lights, lit, targets};
-    const bool planes = targets.uv[0] || targets.normal[0] || targets.geometric_normal[0] ||
-                        targets.position[0] || targets.albedo[0];
-    fill_background(hits, world.scene->background, targets);
+    const bool planes = targets.any_plane();
+    const Scene& scene = *world.scene;
+    ShadeEnvironment environment;
+    if (has_reflected_environment(scene)) environment = shade_environment(scene.environment);
+    const TileShade tile{
+        hits, world, arrays, lights, lit, targets, planes, environment, lit.lit && arrays.normal};
+    fill_background(hits, scene.background, targets);
+    if (targets.color[0] && shows_environment(scene)) fill_environment(hits, scene, targets);
 
     SampleCorners corners(world.position.size());
-    BlockSurface surface = {};
+    BlockAttributes attributes = {};
     const bool ahead = !planes && arrays.uv && !world.scene->textures.empty();
     RunPrefetch prefetch(arrays, hits.runs, arrays.uv && !ahead);
     bool lit_before = true;
     RunTextures textures;
-    std::size_t first_found = 0, found = 0; // runs that `textures` has
+    std::size_t first_found = 0, found = 0; // `textures` has the runs [first_found, found)
     for (std::size_t r = 0; r < hits.runs.size();) {
-        // Runs of one block lie side by side, at most 64.
+        // The runs of a block are consecutive; there are at most 64.
         const std::uint32_t block = hits.runs[r].block;
         std::size_t end = r + 1;
         while (end < hits.runs.size() && end - r < kBlockSamples && hits.runs[end].block == block)
@@ -220,11 +275,11 @@ void shade(const HitTile& hits, const World& world, const LightVisibility& lit,
             found = std::min(hits.runs.size(), r + RunTextures::kRuns);
             textures.find(arrays, hits.rays, hits.runs.subspan(r));
         }
-        const BlockMaterials materials = find_surfaces(tile, runs, ahead ? &textures : nullptr,
-            r - first_found, reached, planes, corners, surface);
+        const BlockMaterials materials = find_surfaces(tile, {runs, reached},
+            {ahead ? &textures : nullptr, r - first_found}, corners, attributes);
         for (const BlockMaterials::Group& group : materials)
             shade_samples(
-                tile, {block, runs, group.material, group.samples, reached, planes}, surface);
+                tile, {block, runs, group.material, group.samples, reached, planes}, attributes);
         r = end;
     }
 }

@@ -1,4 +1,4 @@
-// shade_tile.h - what colour is it? Materials over the hits of one tile.
+// shade_tile.h - computes the colours, and other planes, of the hits of one tile.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -8,13 +8,18 @@
 
 namespace firsthit {
 
-/// Where shading writes: linear Rec.709, tile order, 64-byte aligned, or null where nothing is
-/// asked. Samples without an item get the background's colour, and 0 in the other planes.
+/// The arrays that shading writes, a float for each sample of the tile in tile order, aligned to 64
+/// bytes. Null pointers for planes that are not wanted. Colours are linear Rec.709. Samples without
+/// an item get the colour of the background, or of the environment where the scene shows it, and 0 in the
+/// other planes.
 struct ShadeTargets {
-    /// Whether anything is asked for.
-    bool any() const
+    /// Whether any plane is wanted.
+    bool any() const { return color[0] || any_plane(); }
+    /// Whether any plane but the colours is wanted.
+    bool any_plane() const
     {
-        return color[0] || uv[0] || normal[0] || geometric_normal[0] || position[0] || albedo[0];
+        return uv[0] || normal[0] || geometric_normal[0] || position[0] || albedo[0] ||
+               metallic_roughness[0] || emission[0];
     }
 
     float* color[3] = {};
@@ -23,21 +28,26 @@ struct ShadeTargets {
     float* geometric_normal[3] = {};
     float* position[3] = {};
     float* albedo[3] = {};
+    float* metallic_roughness[2] = {};
+    float* emission[3] = {};
 };
 
-/// Shades a tile by its materials' models (src/material/): what they emit, and what they reflect of
-/// every light. Textures, two-sided.
-/// Allocates nothing, throws nothing. The same bits for every instruction set.
+/// Shades a tile by the models of its materials (src/material/): the colour is what a material
+/// emits plus what it reflects of the environment, of the sky and of each light. Surfaces are two-sided and may have textures.
+/// Allocates nothing and throws nothing. The same bits for every instruction set.
 ///
-/// The ray of sample (x, y) at depth t gives the position (see hits/hit_position.h). Both normals
-/// look towards the eye, whatever the winding; the interpolated one is bent to the eye's horizon
-/// where it would look beyond. A light counts where it is in front of the interpolated normal, as
-/// much as `lit` and a spot's cone let through. It does not fade with distance.
+/// The position of a sample is the point of its ray at depth t (hits/hit_position.h). Both normals
+/// point towards the eye, whatever the order of the corners. An interpolated normal that would
+/// point away from the eye is bent until it is perpendicular to the ray. A light adds to the colour
+/// if it is in front of the interpolated normal; it is multiplied by its visibility `lit` and by a
+/// spot's falloff. Where `lit` is given it also fades out smoothly towards triangles that turn away from the
+/// light, which are in their own shadow (terminator_share in material/surface.glsl). It fades with distance if Light::inverse_square says so.
 ///
-/// hits     runs in any order of blocks; fastest where those of a block lie side by side
-/// world    v = 0 is the bottom row of a texture, as in OBJ; a texture that has no levels is white
-///          sound lights (scene/model/check_light.h)
-/// limits   a light farther than 1e19 is not seen: the square of its distance is no float
+/// hits     its runs may be in any order of blocks; fastest if the runs of a block are consecutive
+/// world    its lights must have passed scene/model/check_light.h. v = 0 is the bottom row of a
+///          texture, as in OBJ. A texture without levels is white
+/// lit      the share of each light that reaches each sample; empty: all of every light. And the sky
+/// limits   lights farther than 1e19 are ignored, because the square of the distance overflows
 void shade_tile(const HitTile& hits, const World& world, const LightVisibility& lit,
     const ShadeTargets& targets);
 

@@ -71,7 +71,7 @@ void find_light_visibility(const FrameContext& frame, std::span<const HitTile> t
 LightVisibility light_visibility_of_tile(const World& world, std::span<const HitTile> tiles,
     std::size_t tile, const LightVisibilityMemory& memory, Buffer<float>& room)
 {
-    if (memory.technique == Shadows::exact) return unpack_lit(memory.bits, tile, room);
+    if (memory.technique == Shadows::exact) return unpack_light_visibility(memory.bits, tile, room);
     const std::size_t samples = std::size_t(tiles[tile].size) * std::size_t(tiles[tile].size);
     room.resize(world.lights.size() * samples);
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
@@ -89,7 +89,7 @@ void add_light_visibility_stats(LightVisibilityMemory& memory, Stats& stats)
     stats.map_updates += std::exchange(memory.maps.updates, 0);
     const ShadowEffort effort = take_effort(memory.exact);
     stats.shadow_collect_ms += effort.collect_ms;
-    stats.shadow_sort_ms += effort.see_ms + effort.sort_ms;
+    stats.shadow_sort_ms += effort.project_ms + effort.sort_ms;
     stats.shadow_test_ms += effort.test_ms;
     stats.shadow_points += effort.points;
     stats.shadow_triangles += effort.counts.triangles;

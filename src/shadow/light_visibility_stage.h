@@ -18,20 +18,20 @@
 
 namespace firsthit {
 
-/// Kept from frame to frame.
+/// The memory of the stage, kept from frame to frame.
 struct LightVisibilityMemory {
     Shadows technique = Shadows::exact; // never none
-    ShadowOptions options;              // of the maps
-    bool by_occluders = true; // look for tiles behind occluders first; not where the maps are lent
+    ShadowOptions options;              // options of maps
+    bool by_occluders = true; // look for tiles behind occluders first; false: make complete maps
     TileOcclusion tile_occlusion;
-    std::vector<std::uint8_t> dark; // (lights) no hit is reached; of the maps
+    std::vector<std::uint8_t> dark; // (lights) 1: reaches no hit; used by maps
     ShadowMemory exact;
-    LitBits bits; // of the exact technique
+    LightVisibilityBits bits; // result of the exact technique
     ShadowMaps maps;
     MapMaker* map_maker = nullptr; // null: our rasteriser
 };
 
-/// Begins a picture part.
+/// Begins a section of the picture.
 void start_light_visibility(const World& world, const ShadowOptions& options, std::size_t tiles,
     LightVisibilityMemory& memory, Tasks& tasks);
 
@@ -40,9 +40,10 @@ void start_light_visibility(const World& world, const ShadowOptions& options, st
 void add_light_visibility_hits(
     const HitTile& hits, std::size_t tile, LightVisibilityMemory& memory, std::size_t worker);
 
-/// Once all tiles' hits are known: finds the shadows, or makes the maps that show them.
+/// Finds the exact shadows, or makes the shadow maps. To be called when the hits of all tiles are
+/// known.
 /// tiles  see test_exact_shadows
-/// work   that this is of the frame
+/// work   the work of this stage, in units of the frame's progress
 void find_light_visibility(const FrameContext& frame, std::span<const HitTile> tiles,
     LightVisibilityMemory& memory, std::uint64_t work);
 

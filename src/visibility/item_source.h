@@ -1,9 +1,10 @@
-// item_source.h - where a frame's items come from: our rasteriser, or a buffer that OpenGL made.
+// item_source.h - where the items of a frame come from: our rasteriser, or a picture that OpenGL
+// drew.
 #pragma once
 
 #include "base/tasks.h"
-#include "visibility/raster/item_tile.h"
 #include "visibility/bin/view_memory.h"
+#include "visibility/tile_items.h"
 
 #include <firsthit/scene.h>
 
@@ -13,7 +14,8 @@
 
 namespace firsthit {
 
-/// Answers for one part of the picture at a time: which triangle does each sample see?
+/// Finds which triangle each sample sees, for one part of the picture at a time. The same `memory`
+/// is handed to all calls for a part.
 class ItemSource {
   public:
     ItemSource() = default;
@@ -21,21 +23,25 @@ class ItemSource {
     ItemSource& operator=(const ItemSource&) = delete;
     virtual ~ItemSource() = default;
 
-    /// Begins the part. memory.pencil and the tiles' numbers are set; fills memory.corner, and
-    /// whatever else tile() needs. False where the part is too large: the caller halves it.
+    /// Begins a part of the picture. Fills the mesh in eye space, and whatever else tile() needs.
+    ///
+    /// memory   its TileLayout is set, with the pencil of the part
+    /// returns  false if the part is too large; then the caller halves it
     virtual bool start(const World& world, ViewMemory& memory, Tasks& tasks) = 0;
 
-    /// The part's tiles become ready in groups of whole rows of tiles: waits for the next group and
-    /// returns the number of tiles that are ready now, all tiles in the end. Called by the thread
-    /// that called start().
+    /// Waits until more tiles are ready. Tiles become ready in order of their numbers, by whole
+    /// rows. Called by the thread that called start().
+    ///
+    /// returns  the number of tiles that are ready now, more than in the call before unless all are
     virtual std::size_t wait(const ViewMemory& memory) = 0;
 
-    /// Fills out.item of a tile that is ready, kNoItem outside the part. Calls for different workers
-    /// may overlap.
+    /// Fills out.item, out.rays and out.counts for a tile that is ready. Items outside the part are
+    /// kNoItem. Calls for different workers may overlap.
     ///
-    /// holes  a word for each block of the tile, 0 when called: bits are set for samples whose
-    ///        triangle is not found, and their items are kNoItem
-    virtual void tile(const ViewMemory& memory, int tile, ItemTile& out,
+    /// out    resized to memory.tile_size
+    /// holes  (blocks) 0 when called; bits are set for samples that see a triangle that was not
+    ///        found, and their items are kNoItem
+    virtual void tile(const ViewMemory& memory, int tile, TileItems& out,
         std::span<std::uint64_t> holes, std::size_t worker) = 0;
 };
 

@@ -1,8 +1,8 @@
 // lazy_items.cpp - the exact items of a few samples of a picture.
 //
-// Most triangles are done with after a look at their box and at one or two words of bits. The
-// others meet each listed sample in their box: in double with a bound, exactly where that leaves it
-// open.
+// For most triangles it is enough to compare their box with one or two words of bits. The others
+// are tested against each listed sample in their box: in double with an error bound, and exactly
+// where that does not decide.
 #include "visibility/lazy_items.h"
 
 #include "base/tile_order.h"
@@ -66,19 +66,13 @@ void bin_samples(const BinGrid& grid, std::span<const ListedSample> samples, Laz
     }
 }
 
-Corners corners_of(const ViewMemory& view, std::uint32_t triangle)
-{
-    const glm::uvec3& c = view.index[triangle];
-    return {glm::vec3(view.corner[c.x]), glm::vec3(view.corner[c.y]), glm::vec3(view.corner[c.z])};
-}
-
-/// A triangle that can be hit, with its edges positive inside, in doubles.
+/// A triangle that can be hit, and its edge functions in double, positive inside.
 struct EdgeFilter {
     Corners corners;
     std::array<glm::dvec3, 3> edge;
-    std::array<double, 3> error; // of an edge at any ray of the pencil
+    std::array<double, 3> error; // bounds of an edge's error at any ray of the pencil
 
-    /// Whether the ray along d hits.
+    /// Whether the ray along d hits the triangle.
     bool hits(const glm::vec3& d, Effort& effort) const
     {
         bool certain = true;
@@ -91,6 +85,7 @@ struct EdgeFilter {
     }
 };
 
+/// Nothing if no ray can hit the triangle.
 std::optional<EdgeFilter> edge_filter(const Corners& corners, const Pencil& pencil, Effort& effort)
 {
     if (!usable(corners)) return std::nullopt;
@@ -102,26 +97,29 @@ std::optional<EdgeFilter> edge_filter(const Corners& corners, const Pencil& penc
         const glm::dvec3 a(corners[k]), b(corners[(k + 1) % 3]);
         const glm::dvec3 n(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         filter.edge[k] = double(facing) * n;
-        // As in exact/hit.h: four roundings a term, and twice that.
+        // Each term has four roundings, as in exact/hit.h; the bound is twice that.
         filter.error[k] =
             8 * kUlp * (std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + std::abs(n.z));
     }
     return filter;
 }
 
-/// One thread's answers.
+/// The search of one thread.
 struct Search {
-    const ViewMemory& view;
+    const Pencil& pencil;
+    const EyeMesh& mesh;
     const BinGrid& grid;
     const LazyMemory& memory;
-    std::uint32_t* nearest; // (samples) by bin
+    std::span<const std::uint32_t> after; // in the caller's order, or empty
+    std::uint32_t* nearest;               // (samples) by bin
     Effort effort;
 
     glm::vec3 ray(const ListedSample& sample) const
     {
-        return view.pencil.tile(0, 0).direction(sample.x, sample.y);
+        return pencil.tile(0, 0).direction(sample.x, sample.y);
     }
 
+    /// Replaces `best` by the triangle if it is nearer on the ray along d, which hits it.
     void offer(
         std::uint32_t triangle, const Corners& corners, const glm::vec3& d, std::uint32_t& best)
     {
@@ -129,11 +127,22 @@ struct Search {
             best = triangle;
             return;
         }
-        const int order = compare_depth(corners, corners_of(view, best), d, effort);
+        const int order = compare_depth(corners, corners_of(mesh, best), d, effort);
         if (order < 0 || (order == 0 && triangle < best)) best = triangle;
     }
 
-    /// Calls f(bin) for each bin with samples that the box meets.
+    /// Whether a triangle counts for sample k, by bin, whose ray along d hits it.
+    bool counts(std::uint32_t triangle, const Corners& corners, const glm::vec3& d, std::uint32_t k)
+    {
+        if (!mesh.cutouts.is_there(triangle, corners, d)) return false;
+        if (after.empty()) return true;
+        const std::uint32_t last = after[memory.order[k]];
+        if (triangle == last) return false;
+        const int order = compare_depth(corners, corners_of(mesh, last), d, effort);
+        return order > 0 || (order == 0 && triangle > last);
+    }
+
+    /// Calls f(bin) for each bin that has samples and meets the box.
     template <class F>
     void for_bins(const InView& box, const F& f) const
     {
@@ -152,10 +161,11 @@ struct Search {
         }
     }
 
+    /// Tests a triangle against all listed samples in its box.
     void test(std::uint32_t triangle)
     {
         InView box;
-        if (!box_of(triangle, view.index[triangle], view, box)) return;
+        if (!box_of(triangle, mesh, pencil, box)) return;
         std::optional<EdgeFilter> filter;
         bool seen = true;
         for_bins(box, [&](std::size_t bin) {
@@ -165,12 +175,13 @@ struct Search {
                     sample.y > box.y1)
                     continue;
                 if (!filter) {
-                    filter = edge_filter(corners_of(view, triangle), view.pencil, effort);
+                    filter = edge_filter(corners_of(mesh, triangle), pencil, effort);
                     seen = filter.has_value();
                     if (!seen) return;
                 }
                 const glm::vec3 d = ray(sample);
-                if (filter->hits(d, effort)) offer(triangle, filter->corners, d, nearest[k]);
+                if (filter->hits(d, effort) && counts(triangle, filter->corners, d, k))
+                    offer(triangle, filter->corners, d, nearest[k]);
             }
         });
     }
@@ -178,13 +189,15 @@ struct Search {
 
 } // namespace
 
-void find_listed_items(const ViewMemory& view, std::span<const ListedSample> samples,
-    LazyMemory& memory, std::span<std::uint32_t> items, Tasks& tasks)
+std::span<const std::uint32_t> find_listed_items(const Pencil& pencil, const EyeMesh& mesh,
+    const ListedSamples& listed, LazyMemory& memory, Tasks& tasks)
 {
+    const auto samples = listed.samples;
     constexpr std::size_t kRange = 4096; // triangles of a task
     memory.effort = 0;
-    if (samples.empty()) return;
-    const BinGrid grid(view.pencil);
+    memory.item.resize(samples.size());
+    if (samples.empty()) return {};
+    const BinGrid grid(pencil);
     bin_samples(grid, samples, memory);
     const auto threads = std::size_t(tasks.threads());
     memory.nearest.resize(threads * samples.size());
@@ -192,28 +205,31 @@ void find_listed_items(const ViewMemory& view, std::span<const ListedSample> sam
     std::fill_n(memory.nearest.data(), memory.nearest.size(), kNoItem);
     std::fill_n(memory.exact_calls.data(), threads, std::uint64_t(0));
 
-    const std::size_t triangles = view.index.size();
+    const std::size_t triangles = mesh.index.size();
     tasks.for_each((triangles + kRange - 1) / kRange, [&](std::size_t range, std::size_t worker) {
-        Search search{view, grid, memory, &memory.nearest[worker * samples.size()], {}};
+        Search search{
+            pencil, mesh, grid, memory, listed.after, &memory.nearest[worker * samples.size()], {}};
         const std::size_t last = std::min(triangles, (range + 1) * kRange);
         for (std::size_t t = range * kRange; t < last; ++t) search.test(std::uint32_t(t));
         memory.exact_calls[worker] += search.effort.exact_calls;
     });
 
-    // The nearest of all threads' nearest: whatever each of them has tested.
-    Search merge{view, grid, memory, memory.nearest.data(), {}};
+    // Find the nearest of all threads' nearest triangles, which does not depend on what each of
+    // them has tested.
+    Search merge{pencil, mesh, grid, memory, {}, memory.nearest.data(), {}};
     for (std::size_t k = 0; k < samples.size(); ++k) {
         std::uint32_t& best = memory.nearest[k];
         for (std::size_t worker = 1; worker < threads; ++worker) {
             const std::uint32_t other = memory.nearest[worker * samples.size() + k];
             if (other == kNoItem) continue;
-            merge.offer(other, corners_of(view, other), merge.ray(memory.listed[k]), best);
+            merge.offer(other, corners_of(mesh, other), merge.ray(memory.listed[k]), best);
         }
-        items[memory.order[k]] = best;
+        memory.item[memory.order[k]] = best;
     }
     memory.effort = merge.effort.exact_calls;
     for (std::size_t worker = 0; worker < threads; ++worker)
         memory.effort += memory.exact_calls[worker];
+    return memory.item.span();
 }
 
 } // namespace firsthit

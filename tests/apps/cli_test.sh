@@ -50,8 +50,8 @@ mkdir -p input/folder.png
 expect 0 'render.*Make pictures' --help
 expect 0 'Usage: firsthit render' render --help
 expect 0 'Usage: firsthit info' info --help
-expect 0 'ours_wrong' compare --help
-expect 0 'bitorder' occlusion --help
+expect 0 'ours_wrong' compare --help-all
+expect 0 'bitorder' occlusion --help-all
 expect 0 '^[^ ]*firsthit [0-9]+\.[0-9]+\.[0-9]+$' --version
 
 expect 0 '' render builtin:torus -o a.png --size 33x17
@@ -139,7 +139,7 @@ expect_files a.npy b.npy c.npy d.npy
 expect 2 '--points' occlusion builtin:torus --direction 0,1,0 -o a.npy
 expect 2 '--output' occlusion builtin:torus --points input/points.npy --direction 0,1,0
 expect 2 'no light' occlusion builtin:torus --points input/points.npy -o a.npy
-expect 2 'accepted is .npy' occlusion builtin:torus --points input/points.npy --direction 0,1,0 -o a.exr
+expect 2 'accepted are .npy and .csv' occlusion builtin:torus --points input/points.npy --direction 0,1,0 -o a.exr
 expect 2 'excludes' occlusion builtin:torus --points input/points.npy --direction 0,1,0 --light 0,1,0 -o a.npy
 expect 2 'excludes' occlusion builtin:torus --points input/points.npy --direction 0,1,0 \
     --directions input/directions.npy -o a.npy
@@ -149,7 +149,7 @@ done
 expect 2 '--light: ' occlusion builtin:torus --points input/points.npy --light spot:1 -o a.npy
 expect 1 'input/none.npy: no such file' occlusion builtin:torus --points input/none.npy --direction 0,1,0 -o a.npy
 expect 1 'only \(N, 3\)|only float32' occlusion builtin:torus --points input/ids.npy --direction 0,1,0 -o a.npy
-expect 1 'only uint32' occlusion builtin:torus --points input/points.npy --receivers input/points.npy \
+expect 1 'only bool, and integers' occlusion builtin:torus --points input/points.npy --receivers input/points.npy \
     --direction 0,1,0 -o a.npy
 npy input/zero.npy '<f4' '(1, 3)' "$o$o$o"
 expect 1 'zero.npy: row 0: .* is no direction' occlusion builtin:torus --points input/points.npy \
@@ -179,6 +179,13 @@ for value in 0 17 -1 two 1.5; do
 done
 expect 2 'none, lazy3, lazy5, full3, full5 or exact' render builtin:torus -o a.png --multisample lazy7
 expect 2 '--interleave' render builtin:torus -o a.png --interleave 2 --samples 2
+for value in 0 17 x -1; do
+    expect 2 '--aa' render builtin:torus -o a.png --aa "$value"
+done
+expect 2 'say one' render builtin:torus -o a.png --aa 3 --samples 2
+expect 2 'say one' render builtin:torus -o a.png --aa 3 --interleave 2
+expect 2 'has no --aa' render builtin:torus -o a.png --aa 3 --engine gpu --shadows map
+expect 0 'fine pixels  ' render builtin:torus --size 16x16 --aa 3 --stats
 for value in -1 1025 many; do
     expect 2 '--threads' render builtin:torus -o a.png --threads "$value"
 done
@@ -191,6 +198,12 @@ done
 for value in lamp:1,2,3 point:1,2 spot:0,4,0,0,-1,0 spot:0,4,0,0,-1,0,180 directional:0,0,0 ''; do
     expect 2 '--light.*accepted|--light.*no (finite|angle)' render builtin:torus -o a.png --light "$value"
 done
+for value in -1 257 1.5 many 16,1 16,1,2,x 16,-1,0,0; do
+    expect 2 '--sky' render builtin:torus -o a.png --sky "$value"
+done
+expect 2 'neither on nor off' render builtin:torus -o a.png --studio bright
+expect 2 'say one' render builtin:torus -o a.png --studio on --light point:0,4,0
+expect 2 'say one' render builtin:torus -o a.png --draft --sky 8
 expect 2 'accepted are none, map and exact' render builtin:torus -o a.png --shadows soft
 for value in 8 8193 big; do
     expect 2 'no integer from 16 to 8192' render builtin:torus -o a.png --shadow-map-size "$value"
@@ -207,9 +220,9 @@ for name in a.png %s.png %n.png %d%d.png %999999999d.png '%1$d.png' %.png; do
     expect 2 'exactly one place' render builtin:torus --frames 0:1:2 -o "$name"
 done
 expect 2 'say which with --frames' render builtin:torus -o a_%04d.png
-expect 2 'accepted are .png and .exr' render builtin:torus -o a.jpg
-expect 2 'accepted are .png and .exr' render builtin:torus -o a
-expect 2 'accepted are .exr and .npy' render builtin:torus --aov depth=a.png
+expect 2 'accepted are .png, ' render builtin:torus -o a.bmp
+expect 2 'accepted are .png, ' render builtin:torus -o a
+expect 2 'accepted are .exr and .npy' render builtin:torus --aov uv=a.png
 expect 2 'accepted are item, depth' render builtin:torus --aov colour=a.exr
 expect 2 'NAME=FILE' render builtin:torus --aov depth
 expect 2 'written twice' render builtin:torus -o a.exr --aov depth=a.exr
@@ -224,7 +237,7 @@ expect_files
 expect 1 'input/missing.ply' render input/missing.ply -o a.png
 expect 1 'input/missing.ply' info input/missing.ply
 expect 1 'input/missing.ply' compare input/missing.ply --against brute
-for ending in aff nff ply stl obj; do
+for ending in aff nff ply stl obj off fbx dae 3mf; do
     : >"input/empty.$ending"
     head -c 4096 /dev/urandom >"input/garbage.$ending"
     expect 1 "input/empty.$ending" render "input/empty.$ending" -o a.png

@@ -10,7 +10,7 @@
 namespace firsthit::cli {
 namespace {
 
-CompareOptions parse(const std::string& line)
+CompareOptions parse_compare_options(const std::string& line)
 {
     CompareOptions options;
     CLI::App app("test", "compare");
@@ -21,9 +21,10 @@ CompareOptions parse(const std::string& line)
 
 TEST(CompareOptions, AnEngineOnOpenGlArrives)
 {
-    const CompareOptions options = parse("s --against cpu --engine hybrid --multisample full5 "
-                                         "--item-format rgb8 --depth-format fixed24 --shadows none "
-                                         "--interleave 3 --no-interpolate --json");
+    const CompareOptions options =
+        parse_compare_options("s --against cpu --engine hybrid --multisample full5 "
+                              "--item-format rgb8 --depth-format fixed24 --shadows none "
+                              "--interleave 3 --no-interpolate --json");
     EXPECT_FALSE(options.oracle);
     EXPECT_EQ(options.engine.engine, Engine::hybrid);
     EXPECT_EQ(options.engine.multisample, Multisample::full5);
@@ -38,7 +39,7 @@ TEST(CompareOptions, AnEngineOnOpenGlArrives)
 
 TEST(CompareOptions, AnOracleArrives)
 {
-    const CompareOptions options = parse("s --against embree --shadows exact");
+    const CompareOptions options = parse_compare_options("s --against embree --shadows exact");
     EXPECT_EQ(options.oracle, Oracle::embree);
     EXPECT_EQ(options.engine.engine, Engine::cpu);
     EXPECT_NO_THROW(check(options));
@@ -47,30 +48,35 @@ TEST(CompareOptions, AnOracleArrives)
 TEST(CompareOptions, TheCpuEngineIsNotComparedWithItself)
 {
     for (const char* engine : {"", " --engine cpu", " --engine auto"})
-        EXPECT_THROW(check(parse(std::string("s --against cpu") + engine)), UsageError) << engine;
-    EXPECT_EQ(message_of<UsageError>([] { check(parse("s --against cpu")); }),
+        EXPECT_THROW(
+            check(parse_compare_options(std::string("s --against cpu") + engine)), UsageError)
+            << engine;
+    EXPECT_EQ(message_of<UsageError>([] { check(parse_compare_options("s --against cpu")); }),
         "--against cpu needs an engine on OpenGL, not cpu: say --engine hybrid or --engine gpu");
 }
 
 TEST(CompareOptions, OraclesAreForTheCpuEngine)
 {
-    EXPECT_EQ(message_of<UsageError>([] { check(parse("s --against brute --engine gpu")); }),
+    EXPECT_EQ(message_of<UsageError>(
+                  [] { check(parse_compare_options("s --against brute --engine gpu")); }),
         "--engine gpu is compared with --against cpu");
 }
 
 TEST(CompareOptions, ShadowsFitWhatIsCompared)
 {
-    EXPECT_THROW(check(parse("s --against brute --shadows map")), UsageError);
-    EXPECT_THROW(check(parse("s --against cpu --engine gpu --shadows exact")), UsageError);
-    EXPECT_NO_THROW(check(parse("s --against cpu --engine hybrid --shadows exact")));
-    EXPECT_NO_THROW(check(parse("s --against cpu --engine gpu --shadows map")));
+    EXPECT_THROW(check(parse_compare_options("s --against brute --shadows map")), UsageError);
+    EXPECT_THROW(
+        check(parse_compare_options("s --against cpu --engine gpu --shadows exact")), UsageError);
+    EXPECT_NO_THROW(
+        check(parse_compare_options("s --against cpu --engine hybrid --shadows exact")));
+    EXPECT_NO_THROW(check(parse_compare_options("s --against cpu --engine gpu --shadows map")));
 }
 
 TEST(CompareOptions, WrongWordsAreNamed)
 {
-    EXPECT_EQ(message_of<UsageError>([] { parse("s --against guessing"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_compare_options("s --against guessing"); }),
         "--against: 'guessing' cannot be compared with: accepted are brute, embree and cpu");
-    EXPECT_THROW(parse("s --against cpu --engine none"), UsageError);
+    EXPECT_THROW(parse_compare_options("s --against cpu --engine none"), UsageError);
 }
 
 } // namespace

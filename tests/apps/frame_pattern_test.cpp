@@ -38,11 +38,12 @@ TEST(FramePattern, AcceptsNothingElse)
 TEST(FramePattern, SaysWhatIsWrong)
 {
     EXPECT_EQ(message_of<UsageError>([] { FramePattern("a.png"); }),
-        "'a.png' has no %d: the names of frames need exactly one place for their number, as in "
-        "out_%04d.png");
+        "'a.png' has no %d: the names of numbered files need exactly one place for their number, "
+        "as "
+        "in frames_%04d");
     EXPECT_EQ(message_of<UsageError>([] { FramePattern("%s"); }),
-        "'%s' has a % that is not %d, %4d or %04d: the names of frames need exactly one place for "
-        "their number, as in out_%04d.png");
+        "'%s' has a % that is not %d, %4d or %04d: the names of numbered files need exactly one "
+        "place for their number, as in frames_%04d");
 }
 
 TEST(FramePattern, IsRecognisedWhereItWasForgottenToBeUsed)

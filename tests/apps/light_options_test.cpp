@@ -4,6 +4,7 @@
 
 #include "message_of.h"
 
+#include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
 namespace firsthit::cli {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-LightOptions parse(const std::string& line)
+LightOptions parse_light_options(const std::string& line)
 {
     LightOptions options;
     CLI::App app("test", "render");
@@ -49,10 +50,12 @@ TEST(LightOptions, ADirectionalLightHasTheWayThatItGoes)
 
 TEST(LightOptions, WhatIsNoLightIsQuotedWithWhatIsAccepted)
 {
-    EXPECT_EQ(message_of<UsageError>([] { parse("--light lamp:1,2,3"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_light_options("--light lamp:1,2,3"); }),
         "--light: 'lamp:1,2,3' is no light: accepted are point:x,y,z, "
-        "spot:x,y,z,dx,dy,dz,DEG[,INNER] and directional:dx,dy,dz, as point:0,5,0 or "
-        "spot:0,5,0,0,-1,0,40,30");
+        "spot:x,y,z,dx,dy,dz,DEG[,INNER], directional:dx,dy,dz and sun:LAT,LON,TIME, then "
+        ",color=r,g,b "
+        ",intensity=I ,falloff=none|square, as point:0,5,0 or "
+        "spot:0,5,0,0,-1,0,40,30,color=1,0.5,0");
     for (const char* text :
         {"", ":", "point", "point:", "point:1,2", "point:1,2,3,4", "point:a,b,c", "point:1,,3",
             "point:1,2,nan", "point:1,2,inf", "Point:1,2,3", "1,2,3", "spot:1,2,3,0,-1,0",
@@ -67,9 +70,9 @@ TEST(LightOptions, LightsReplaceThoseOfTheScene)
 {
     Scene scene;
     scene.lights.resize(3);
-    apply(parse(""), scene);
+    apply(parse_light_options(""), scene);
     EXPECT_EQ(scene.lights.size(), 3u);
-    apply(parse("--light point:1,2,3 --light directional:0,-1,0"), scene);
+    apply(parse_light_options("--light point:1,2,3 --light directional:0,-1,0"), scene);
     ASSERT_EQ(scene.lights.size(), 2u);
     EXPECT_EQ(scene.lights[1].kind, Light::Kind::directional);
 }
@@ -77,18 +80,19 @@ TEST(LightOptions, LightsReplaceThoseOfTheScene)
 TEST(LightOptions, ShadowsAreExactUnlessOtherwiseSaid)
 {
     Settings settings;
-    apply(parse(""), settings);
+    apply(parse_light_options(""), settings);
     EXPECT_EQ(settings.shadows, Shadows::automatic);
-    apply(parse("--shadows none"), settings);
+    apply(parse_light_options("--shadows none"), settings);
     EXPECT_EQ(settings.shadows, Shadows::none);
-    EXPECT_EQ(message_of<UsageError>([] { parse("--shadows soft"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_light_options("--shadows soft"); }),
         "--shadows: 'soft' is no kind of shadows: accepted are none, map and exact");
 }
 
 TEST(LightOptions, WhatShadowMapsNeedArrives)
 {
     Settings settings;
-    apply(parse("--shadows map --shadow-map-size 2048 --shadow-bias 0.5 --shadow-filter 3"),
+    apply(parse_light_options(
+              "--shadows map --shadow-map-size 2048 --shadow-bias 0.5 --shadow-filter 3"),
         settings);
     EXPECT_EQ(settings.shadows, Shadows::map);
     EXPECT_EQ(settings.shadow_map_size, 2048);
@@ -102,7 +106,7 @@ TEST(LightOptions, WhatIsNotSaidStaysAsTheSettingsHaveIt)
     settings.shadow_map_size = 100;
     settings.shadow_bias = 7;
     settings.shadow_filter = 5;
-    apply(parse("--shadows map"), settings);
+    apply(parse_light_options("--shadows map"), settings);
     EXPECT_EQ(settings.shadow_map_size, 100);
     EXPECT_EQ(settings.shadow_bias, 7);
     EXPECT_EQ(settings.shadow_filter, 5);
@@ -110,22 +114,22 @@ TEST(LightOptions, WhatIsNotSaidStaysAsTheSettingsHaveIt)
 
 TEST(LightOptions, NumbersOutOfRangeAreNamedByTheirOption)
 {
-    EXPECT_EQ(message_of<UsageError>([] { parse("--shadow-map-size 8"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_light_options("--shadow-map-size 8"); }),
         "--shadow-map-size: '8' is no integer from 16 to 8192");
-    EXPECT_EQ(message_of<UsageError>([] { parse("--shadow-filter 16"); }),
+    EXPECT_EQ(message_of<UsageError>([] { parse_light_options("--shadow-filter 16"); }),
         "--shadow-filter: '16' is no integer from 1 to 15");
     for (const char* line : {"--shadow-bias -1", "--shadow-bias nan", "--shadow-bias inf",
              "--shadow-map-size 8193", "--shadow-filter 0"})
-        EXPECT_THROW(parse(line), UsageError) << line;
+        EXPECT_THROW(parse_light_options(line), UsageError) << line;
 }
 
 TEST(LightOptions, OptionsOfShadowMapsNeedShadowMaps)
 {
-    EXPECT_EQ(message_of<UsageError>([] { check(parse("--shadow-bias 0")); }),
+    EXPECT_EQ(message_of<UsageError>([] { check(parse_light_options("--shadow-bias 0")); }),
         "--shadow-bias is of shadow maps: say --shadows map too");
-    EXPECT_THROW(check(parse("--shadows exact --shadow-filter 3")), UsageError);
-    EXPECT_THROW(check(parse("--shadows none --shadow-map-size 64")), UsageError);
-    EXPECT_NO_THROW(check(parse("--shadows map --shadow-map-size 64")));
+    EXPECT_THROW(check(parse_light_options("--shadows exact --shadow-filter 3")), UsageError);
+    EXPECT_THROW(check(parse_light_options("--shadows none --shadow-map-size 64")), UsageError);
+    EXPECT_NO_THROW(check(parse_light_options("--shadows map --shadow-map-size 64")));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// buffer_test.cpp - memory that grows and stays.
+// buffer_test.cpp - buffers keep their memory and grow when necessary.
 #include "base/buffer.h"
 
 #include <gtest/gtest.h>

@@ -14,8 +14,8 @@
 namespace firsthit {
 namespace {
 
-/// The choice is made once a process, so each test makes it in a child: chooses, says on standard
-/// error what came out, and exits with 0, or 1 after an error.
+/// The choice is made once in a process, so each test makes it in a child process, which prints the
+/// result to standard error and exits with 0, or with 1 after an error.
 class InstructionSet : public testing::Test {
   protected:
     void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
@@ -59,8 +59,8 @@ TEST_F(InstructionSet, ThatIsUnknownIsAnErrorThatListsTheOthers)
 {
     const std::string best = chosen_instruction_set();
     EXPECT_EXIT(choose("AVX9"), testing::ExitedWithCode(1),
-        "FIRSTHIT_ISA=AVX9 is not to be had here: " + best);
-    EXPECT_EXIT(choose(""), testing::ExitedWithCode(1), "FIRSTHIT_ISA= is not to be had here");
+        "FIRSTHIT_ISA=AVX9 is not available here: accepted are " + best);
+    EXPECT_EXIT(choose(""), testing::ExitedWithCode(1), "FIRSTHIT_ISA= is not available here");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// srgb_test.cpp - the tables against the formulas.
+// srgb_test.cpp - compares the tables with the formulas.
 #include "base/srgb.h"
 
 #include <gtest/gtest.h>

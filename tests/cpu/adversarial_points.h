@@ -3,20 +3,12 @@
 
 #include "cpu/adversarial_scenes.h"
 
+#include "random_numbers.h"
+
 #include <cstdint>
 #include <random>
 
 namespace firsthit::test {
-
-inline float uniform(std::mt19937& random, float low, float high)
-{
-    return std::uniform_real_distribution<float>(low, high)(random);
-}
-
-inline int whole(std::mt19937& random, int low, int high)
-{
-    return std::uniform_int_distribution<int>(low, high)(random);
-}
 
 /// The point that projects to (x, y) pixels from the picture's centre at depth z.
 inline glm::vec3 at(float x, float y, float z)

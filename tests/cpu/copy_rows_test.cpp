@@ -1,4 +1,4 @@
-// copy_rows_test.cpp - a tile's planes become rows of pixels, past the caches or not.
+// copy_rows_test.cpp - copies a tile's planes to rows of pixels, past the caches or not.
 #include "cpu/copy_rows.h"
 
 #include "base/tile_order.h"
@@ -11,7 +11,7 @@
 namespace firsthit {
 namespace {
 
-TEST(CopyRows, OfEveryWidthAndPlaceAreThoseOfThePlainLoop)
+TEST(CopyRows, CopiesPixelByPixelForEveryWidthAndAlignment)
 {
     constexpr int kTile = 24, kFilmWidth = 61, kFilmHeight = 30;
     alignas(64) static float plane[3][kTile * kTile];
@@ -23,26 +23,26 @@ TEST(CopyRows, OfEveryWidthAndPlaceAreThoseOfThePlainLoop)
         for (std::size_t channels = 1; channels <= 3; ++channels)
             for (const bool stream : {false, true})
                 for (int width = 1; width <= kTile; ++width) {
-                    // Any alignment of the first pixel to a line of the cache, and of the film.
+                    // The first pixel and the film have all alignments to cache lines.
                     const PixelRect rect{width + 7, 3, width, 20};
                     std::vector<float> film(3 * kFilmWidth * kFilmHeight + 16, -1.0f);
-                    std::vector<float> plain = film;
+                    std::vector<float> expected = film;
                     float* const to = film.data() + width % 16;
-                    copy_rows(rect, kFilmWidth, kTile, {from, channels}, to, stream);
+                    copy_rows(rect, kTile, {from, channels}, {to, kFilmWidth, stream});
                     for (int y = 0; y < rect.height; ++y)
                         for (int x = 0; x < width; ++x)
                             for (std::size_t c = 0; c < channels; ++c)
-                                plain[std::size_t(width % 16) +
-                                      std::size_t(
-                                          (rect.film_y + y) * kFilmWidth + rect.film_x + x) *
-                                          channels +
-                                      c] = plane[c][tile_offset(x, y, kTile)];
-                    ASSERT_EQ(film, plain) << channels << " " << stream << " " << width;
+                                expected[std::size_t(width % 16) +
+                                         std::size_t(
+                                             (rect.film_y + y) * kFilmWidth + rect.film_x + x) *
+                                             channels +
+                                         c] = plane[c][tile_offset(x, y, kTile)];
+                    ASSERT_EQ(film, expected) << channels << " " << stream << " " << width;
                 }
     });
 }
 
-TEST(CopyRows, FillWithOneColourWhatThePlainLoopFills)
+TEST(FillRows, FillsExactlyThePixelsOfTheRectangle)
 {
     constexpr int kFilmWidth = 61, kFilmHeight = 30;
     const glm::vec3 color(0.25f, 0.5f, 2.0f);
@@ -51,14 +51,14 @@ TEST(CopyRows, FillWithOneColourWhatThePlainLoopFills)
             for (int width = 1; width <= 40; ++width) {
                 const PixelRect rect{width % 20, 3, width, 20};
                 std::vector<float> film(3 * kFilmWidth * kFilmHeight + 16, -1.0f);
-                std::vector<float> plain = film;
-                fill_rows(rect, kFilmWidth, color, film.data() + width % 16, stream);
+                std::vector<float> expected = film;
+                fill_rows(rect, color, {film.data() + width % 16, kFilmWidth, stream});
                 for (int y = 0; y < rect.height; ++y)
                     for (int k = 0; k < 3 * width; ++k)
-                        plain[std::size_t(
+                        expected[std::size_t(
                             width % 16 + k + 3 * ((rect.film_y + y) * kFilmWidth + rect.film_x))] =
                             color[k % 3];
-                ASSERT_EQ(film, plain) << stream << " " << width;
+                ASSERT_EQ(film, expected) << stream << " " << width;
             }
     });
 }

@@ -22,11 +22,11 @@ class HoledSource final : public ItemSource {
         return ours_.start(world, memory, tasks);
     }
     std::size_t wait(const ViewMemory& memory) override { return ours_.wait(memory); }
-    void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
+    void tile(const ViewMemory& memory, int tile, TileItems& out, std::span<std::uint64_t> holes,
         std::size_t worker) override
     {
         ours_.tile(memory, tile, out, holes, worker);
-        const int x0 = tile % memory.tiles_x * out.size, y0 = tile / memory.tiles_x * out.size;
+        const int x0 = memory.first_x(tile), y0 = memory.first_y(tile);
         for (int y = 0; y < out.size && y0 + y < memory.pencil.height; ++y) {
             for (int x = 0; x < out.size && x0 + x < memory.pencil.width; ++x) {
                 if (!is_hole_(x0 + x, y0 + y)) continue;

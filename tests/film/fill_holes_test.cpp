@@ -12,12 +12,12 @@
 namespace firsthit {
 namespace {
 
-struct Picture {
+struct HoledPicture {
     int width, height;
     std::vector<std::uint8_t> hole;
     std::vector<float> color;
 
-    Picture(int w, int h)
+    HoledPicture(int w, int h)
         : width(w),
           height(h),
           hole(std::size_t(w * h)),
@@ -34,7 +34,7 @@ struct Picture {
 
 TEST(FillHoles, AHoleIsTheMeanOfItsNeighboursByTheirDistance)
 {
-    Picture picture(5, 5);
+    HoledPicture picture(5, 5);
     picture.mark(2, 2);
     const auto at = [&](int x, int y) { return picture.red(x, y); };
     const float expected = (at(2, 1) + at(1, 2) + at(3, 2) + at(2, 3) +
@@ -46,7 +46,7 @@ TEST(FillHoles, AHoleIsTheMeanOfItsNeighboursByTheirDistance)
 
 TEST(FillHoles, OtherPixelsKeepTheirColours)
 {
-    Picture picture(40, 30);
+    HoledPicture picture(40, 30);
     std::mt19937 random(3);
     for (std::uint8_t& hole : picture.hole) hole = random() % 3 == 0;
     const std::vector<float> before = picture.color;
@@ -57,7 +57,7 @@ TEST(FillHoles, OtherPixelsKeepTheirColours)
 
 TEST(FillHoles, TheSmallestWindowWithAPixelCounts)
 {
-    Picture picture(7, 7);
+    HoledPicture picture(7, 7);
     std::fill(picture.hole.begin(), picture.hole.end(), std::uint8_t(1));
     picture.hole[picture.at(0, 3)] = 0; // 2 from (2, 3), 3 from (3, 3)
     picture.hole[picture.at(3, 0)] = 0; // 3 from both
@@ -72,7 +72,7 @@ TEST(FillHoles, WorksInEveryCornerOfAnySize)
 {
     for (const auto& [width, height] : {std::pair(1, 9), {9, 1}, {2, 2}, {3, 17}}) {
         for (int k = 0; k < width * height; ++k) {
-            Picture picture(width, height);
+            HoledPicture picture(width, height);
             std::fill(picture.color.begin(), picture.color.end(), 0.25f);
             picture.mark(k % width, k / width);
             picture.red(k % width, k / width) = 9;
@@ -84,7 +84,7 @@ TEST(FillHoles, WorksInEveryCornerOfAnySize)
 
 TEST(FillHoles, APictureOfHolesStaysAsItIs)
 {
-    Picture picture(50, 40);
+    HoledPicture picture(50, 40);
     std::fill(picture.hole.begin(), picture.hole.end(), std::uint8_t(1));
     const std::vector<float> before = picture.color;
     EXPECT_EQ(picture.fill(), 0u);
@@ -93,10 +93,10 @@ TEST(FillHoles, APictureOfHolesStaysAsItIs)
 
 TEST(FillHoles, RowsMayBeFilledInAnyOrder)
 {
-    Picture picture(40, 30);
+    HoledPicture picture(40, 30);
     std::mt19937 random(4);
     for (std::uint8_t& hole : picture.hole) hole = random() % 4 != 0;
-    Picture upwards = picture, ranges = picture;
+    HoledPicture upwards = picture, ranges = picture;
     picture.fill();
     for (int y = 29; y >= 0; --y)
         fill_holes({upwards.width, upwards.height, upwards.hole, upwards.color}, y, y + 1);
@@ -109,13 +109,13 @@ TEST(FillHoles, RowsMayBeFilledInAnyOrder)
 TEST(FillHoles, HasTheSameBitsOnEveryInstructionSet)
 {
     for (const unsigned one_in : {2u, 5u, 60u}) {
-        Picture holes(71, 30);
+        HoledPicture holes(71, 30);
         std::mt19937 random(5);
         for (std::uint8_t& hole : holes.hole) hole = random() % one_in != 0;
-        Picture expected = holes;
+        HoledPicture expected = holes;
         const std::uint64_t count = expected.fill();
         for_instruction_sets([&] {
-            Picture ours = holes;
+            HoledPicture ours = holes;
             EXPECT_EQ(ours.fill(), count);
             EXPECT_EQ(ours.color, expected.color);
         });
@@ -124,7 +124,7 @@ TEST(FillHoles, HasTheSameBitsOnEveryInstructionSet)
 
 TEST(FillHoles, NothingComesFromAHolesColour)
 {
-    Picture picture(50, 20);
+    HoledPicture picture(50, 20);
     std::mt19937 random(6);
     std::fill(picture.color.begin(), picture.color.end(), 0.5f);
     for (std::size_t k = 0; k < picture.hole.size(); ++k) {

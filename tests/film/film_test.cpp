@@ -29,7 +29,9 @@ TEST(Film, AnUnknownNameIsAnErrorThatListsTheNames)
 {
     EXPECT_EQ(message_of<ArgumentError>([] { aov_from_name("colour"); }),
         "unknown plane 'colour': accepted are item, depth, distance, uv, "
-        "normal, geometric_normal, position, albedo, barycentric, lit");
+        "normal, geometric_normal, position, albedo, barycentric, lit, instance, material, node, "
+        "tangent, metallic_roughness, emission, motion, motion_visible, normal_camera, "
+        "position_camera");
 }
 
 } // namespace

@@ -187,6 +187,13 @@ TEST(Exr, HasEveryPlaneUnderTheDocumentedChannelNames)
         {Aov::position, {"P.X", "P.Y", "P.Z"}},
         {Aov::albedo, {"albedo.R", "albedo.G", "albedo.B"}},
         {Aov::barycentric, {"barycentric.U", "barycentric.V"}},
+        {Aov::tangent, {"T.X", "T.Y", "T.Z", "T.W"}},
+        {Aov::metallic_roughness, {"metallic", "roughness"}},
+        {Aov::emission, {"emission.R", "emission.G", "emission.B"}},
+        {Aov::motion, {"motion.X", "motion.Y"}},
+        {Aov::motion_visible, {"motion_visible"}},
+        {Aov::normal_camera, {"Nc.X", "Nc.Y", "Nc.Z"}},
+        {Aov::position_camera, {"Pc.X", "Pc.Y", "Pc.Z"}},
         {Aov::lit, {"lit.0", "lit.1", "lit.2", "lit.3", "lit.4", "lit.5", "lit.6", "lit.7", "lit.8",
                        "lit.9", "lit.10", "lit.11"}},
     };
@@ -261,12 +268,19 @@ TEST(PictureFiles, LightOfMoreThan64LightsIsAnError)
 TEST(PictureFiles, AnUnknownEndingIsAnErrorThatListsTheAccepted)
 {
     const Film film = numbered_film(2, 2);
-    EXPECT_EQ(message_of<Error>([&] { write_color(film, "a.jpg"); }),
-        "a.jpg: unknown ending '.jpg' for a picture: accepted are .png and .exr");
-    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::depth, "a.png"); }),
-        "a.png: unknown ending '.png' for a plane: accepted are .exr and .npy");
-    EXPECT_EQ(message_of<Error>([&] { write_color(film, "picture"); }),
-        "picture: unknown ending '' for a picture: accepted are .png and .exr");
+    EXPECT_EQ(message_of<Error>([&] {
+        write_color(film, "a.bmp");
+    }).find("a.bmp: unknown ending '.bmp' for a picture: accepted are .png, "),
+        0u);
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::depth, "a.tif"); }),
+        "a.tif: unknown ending '.tif' for a plane: accepted are .exr and .npy, and .png for depth "
+        "and "
+        "distance");
+    EXPECT_EQ(message_of<Error>([&] { write_aov(film, Aov::uv, "a.png"); }),
+        "a.png: the plane 'uv' is not written as .png, which is for depth and distance in "
+        "millimetres: "
+        "accepted are .exr and .npy");
+    EXPECT_THROW(write_color(film, "picture"), ArgumentError);
     EXPECT_THROW(check_color_path("a.npy"), ArgumentError);
     EXPECT_THROW(check_aov_path("a"), ArgumentError);
 }

@@ -38,12 +38,13 @@ void check(const firsthit::Scene& scene)
     require(scene.uv.empty() || scene.uv.size() == scene.vertices);
     require(scene.owner.size() == scene.index.size());
     for (std::size_t t = 0; t < scene.index.size(); ++t) {
-        const firsthit::Part& part = scene.parts.at(scene.owner[t]);
-        require(t >= part.first_triangle && t - part.first_triangle < part.triangle_count);
-        require(part.material < scene.materials.size());
+        const firsthit::Instance& instance = scene.instances.at(scene.owner[t]);
+        require(
+            t >= instance.first_triangle && t - instance.first_triangle < instance.triangle_count);
+        require(instance.material < scene.materials.size());
         for (int c = 0; c < 3; ++c)
-            require(scene.index[t][c] >= part.first_vertex &&
-                    scene.index[t][c] - part.first_vertex < part.vertex_count);
+            require(scene.index[t][c] >= instance.first_vertex &&
+                    scene.index[t][c] - instance.first_vertex < instance.vertex_count);
     }
     for (const firsthit::Material& material : scene.materials)
         require(std::get<firsthit::Phong>(material.model).texture <
@@ -73,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             "main", inputs[0], files, {.sphere_segments = 4, .cone_segments = 4}));
         check(*scene);
         firsthit::World world;
-        for (const double time_s : {scene->begin_s, 0.5, scene->end_s})
+        for (const double time_s : {scene->begin_s(), 0.5, scene->end_s()})
             firsthit::pose(scene, time_s, world);
     } catch (const firsthit::Error& error) {
         require(*error.what() != '\0');

@@ -1,4 +1,4 @@
-// certified_items_test.cpp - unmarked samples are proven: they are held against the cpu engine's.
+// certified_items_test.cpp - compares the items of unmarked samples with those of the cpu engine.
 #include "gl/items/certified_items.h"
 
 #include "../cpu/adversarial_scenes.h"
@@ -30,7 +30,7 @@ Counts count(const gl::Context& context, const World& world, const View& view)
     gl::SceneBuffers scene(context, gl::Detail::items);
     scene.lend_eye_space(world, pencil, eye.memory.corner.span());
     gl::CertifiedItems pass(context);
-    pass.draw(scene, pencil);
+    pass.draw(scene, pencil, eye.memory.cutouts);
     std::vector<std::uint32_t> items(width * height);
     pass.read_items(items);
     std::vector<bool> marks(width * height);
@@ -47,15 +47,12 @@ Counts count(const gl::Context& context, const World& world, const View& view)
                           << ", exact " << expected[k];
         }
     }
-    ViewMemory memory;
-    memory.pencil = pencil;
-    memory.index = world.scene->index;
+    EyeMesh mesh;
+    take_triangles(*world.scene, mesh);
     Tasks tasks(1);
-    project_vertices(world.position, memory, tasks);
+    project_vertices(world.position, pencil, mesh, tasks);
     LazyMemory lazy;
-    std::vector<std::uint32_t> decided(listed.size());
-    find_listed_items(memory, listed, lazy, decided, tasks);
-    pass.write(listed, decided);
+    pass.write(listed, find_listed_items(pencil, mesh, {listed}, lazy, tasks));
     pass.read_items(items);
     for (std::size_t k = 0; k < items.size(); ++k) counts.wrong_after += items[k] != expected[k];
     counts.marked = double(listed.size()) / double(items.size());

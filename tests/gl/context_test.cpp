@@ -1,4 +1,4 @@
-// context_test.cpp - contexts without a display.
+// context_test.cpp - OpenGL contexts without a window.
 #include "gl_context.h"
 #include "message_of.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using Context = test::OnContext;
 
-TEST_F(Context, HasOpenGl45AndSaysWhoDraws)
+TEST_F(Context, HasOpenGl45AndNamesTheDriver)
 {
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
@@ -74,7 +74,7 @@ TEST_F(Context, CallsThatAreRefusedAreErrorsThatNameTheDriver)
 
 TEST(OldOpenGl, IsAnErrorThatNamesItsVersion)
 {
-    // The driver reads the variable once a process: the death test runs this body in a second one.
+    // The driver reads the variable once in a process, so a death test runs this in a new process.
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     if (std::getenv("MESA_GL_VERSION_OVERRIDE") == nullptr) {
         try {

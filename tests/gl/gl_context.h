@@ -1,4 +1,4 @@
-// gl_context.h - a context for a test, or the reason why there is none.
+// gl_context.h - an OpenGL context for tests, or the reason why there is none.
 #pragma once
 
 #include "gl/device/context.h"
@@ -13,8 +13,8 @@
 
 namespace firsthit::test {
 
-/// A test whose body runs with a current context of its own. Skipped where there is none. What the
-/// test leaves behind, an error or an object, is its failure.
+/// A test that has its own current context. It is skipped if there is no OpenGL. It fails if it
+/// leaves an OpenGL error or object behind.
 class OnContext : public testing::Test {
   protected:
     void SetUp() override

@@ -1,4 +1,5 @@
-// gpu_frame_test.cpp - the gpu engine's pictures are the cpu engine's, given the same items and maps.
+// gpu_frame_test.cpp - with the same items and maps, the gpu engine makes the same pictures as the
+// cpu engine.
 #include "gl/gpu_pictures.h"
 
 #include "gl/items/drawn_items.h"
@@ -12,7 +13,7 @@ namespace {
 
 using GpuFrame = test::OnGpu;
 
-/// Decibels that pictures without textures have to reach, and those with.
+/// Least PSNR, in decibels, of pictures without and with textures.
 constexpr double kPlain = 60, kTextured = 45;
 
 TEST_F(GpuFrame, ShadesATorusAsTheCpuDoes)
@@ -49,7 +50,7 @@ TEST_F(GpuFrame, KeepsToAGivenShadowBias)
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), kPlain);
 }
 
-/// Scenes that are lit by one light of a kind.
+/// Scenes with a single light.
 class GpuLights : public test::OnGpu {
   protected:
     void expect_same(const std::string& scene_name, const Light& light, double least)
@@ -148,7 +149,7 @@ TEST_F(GpuFrame, DrawsItemsInEveryFormat)
             settings.opengl.depth_format = depth;
             render_gpu(frame, gpu_film, {drawn});
             test::keep(gpu_film, "robots_drawn");
-            // A few pixels at edges have other triangles.
+            // A few pixels at edges see other triangles.
             EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35)
                 << int(format) << " " << int(depth);
         }
@@ -162,21 +163,21 @@ TEST_F(GpuFrame, DrawsShadowMapsThatShadeAsTheCpusDo)
     gl::GpuFrame frame(*context);
     render_gpu(frame);
     test::keep(gpu_film, "robots_maps");
-    // Texels on the edges of what casts shadows are others.
+    // Texels at the edges of occluders differ.
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu.film.color.value), 35);
 }
 
-TEST_F(GpuFrame, MakesLargePicturesInParts)
+TEST_F(GpuFrame, MakesLargePicturesInSections)
 {
     load("builtin:robots", 1.5, 200);
     settings.shadows = Shadows::none;
     settings.samples = 2;
     settings.multisample = Multisample::lazy3;
-    gl::GpuFrame whole(*context), parts(*context, {.part_side = 130});
+    gl::GpuFrame whole(*context), sections(*context, {.section_side = 130});
     gl::DrawnItems drawn(*context);
     render_gpu(whole, cpu_film, {drawn});
-    render_gpu(parts, gpu_film, {drawn});
-    // Edges are snapped relative to the part.
+    render_gpu(sections, gpu_film, {drawn});
+    // Edges are snapped relative to the section.
     EXPECT_GE(test::psnr(gpu_film.color.value, cpu_film.color.value), 40);
 }
 

@@ -1,4 +1,5 @@
-// gpu_passes_test.cpp - several passes make the same picture as one, and masked samples cost nothing.
+// gpu_passes_test.cpp - several passes make the same picture as one, and masked samples cost
+// nothing.
 #include "gl/gpu_pictures.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST_F(GpuPasses, KeepABoundedNumberOfPrograms)
     const Film first = gpu_film;
     const std::int64_t before = gl::gl_objects_alive();
 
-    // Every plane of every way to test and to light is a program of its own.
+    // Each plane needs its own program for each hit test and for each number of lights.
     int asked = 0;
     for (const Shadows shadows : {Shadows::none, Shadows::map})
         for (const auto passes : {firsthit::GpuPasses::single, firsthit::GpuPasses::multi})
@@ -69,7 +70,7 @@ TEST_F(GpuPasses, KeepABoundedNumberOfPrograms)
     // The other objects are few: one of each kind of plane.
     EXPECT_LE(gl::gl_objects_alive(), before + int(gl::SamplePasses::kMostPrograms) + 8);
 
-    // What was given up is made again.
+    // Programs that were deleted are linked again.
     settings.shadows = Shadows::map;
     settings.multisample = Multisample::none;
     settings.opengl.passes = firsthit::GpuPasses::single;
@@ -148,7 +149,7 @@ TEST_F(GpuPasses, CountHitsMissesAndWhatIsInterpolated)
         settings.opengl.passes = passes;
         settings.interleave = 1;
         render_gpu(frame);
-        // Beside the ten, float loses a few samples at edges.
+        // Besides these ten, rounding loses a few samples at edges.
         EXPECT_NEAR(double(stats.missed), 10, 5);
         EXPECT_EQ(stats.hits + stats.missed, hits_of(item));
         EXPECT_EQ(stats.interpolated, stats.missed);

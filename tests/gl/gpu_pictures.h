@@ -21,7 +21,7 @@
 
 namespace firsthit::test {
 
-/// The cpu engine's picture, with all that it was made of.
+/// The cpu engine's picture, with its items and shadow maps.
 struct CpuPicture {
     FrameMemory memory;
     Film film;
@@ -35,7 +35,7 @@ struct CpuPicture {
     }
 };
 
-/// Of a picture that is `samples` times as large: the same rays.
+/// The pencil of a picture that is `samples` times as large: it has the same rays.
 inline std::vector<std::uint32_t> cpu_items(const World& world, View view, int samples = 1)
 {
     for (int* size : {&view.width, &view.height, &view.region.x, &view.region.y, &view.region.width,
@@ -48,7 +48,7 @@ inline std::vector<std::uint32_t> cpu_items(const World& world, View view, int s
     return CpuPicture(world, view, settings).film.item;
 }
 
-/// 10 log10(1 / mean square difference) of values in [0, 1]; what is above counts as 1.
+/// 10 log10(1 / mean square difference) of values in [0, 1]; greater values are clamped.
 inline double psnr(const std::vector<float>& a, const std::vector<float>& b)
 {
     EXPECT_EQ(a.size(), b.size());
@@ -61,7 +61,7 @@ inline double psnr(const std::vector<float>& a, const std::vector<float>& b)
                    : std::numeric_limits<double>::infinity();
 }
 
-/// How many values differ by more than `tolerance`.
+/// The number of values that differ by more than `tolerance`.
 inline std::size_t count_different(
     const std::vector<float>& a, const std::vector<float>& b, float tolerance)
 {
@@ -72,7 +72,7 @@ inline std::size_t count_different(
     return count;
 }
 
-/// FIRSTHIT_KEEP_PICTURES=folder keeps pictures to look at.
+/// Writes the pictures to the folder in FIRSTHIT_KEEP_PICTURES, if that is set.
 inline void keep(const Film& film, const std::string& name)
 {
     if (film.color.empty()) return;
@@ -82,7 +82,7 @@ inline void keep(const Film& film, const std::string& name)
 
 class OnGpu : public OnContext {
   protected:
-    /// A built-in scene from the front.
+    /// Loads a built-in scene, seen from the front.
     void load(const std::string& name, double time_s = 0, int size = 256)
     {
         scene = load_scene(name);
@@ -92,10 +92,10 @@ class OnGpu : public OnContext {
     void pose_at(double time_s)
     {
         pose(borrow(scene), time_s, world);
-        view.camera = scene.camera ? world.camera : framing_camera(world);
+        view.camera = world.camera;
     }
 
-    /// With the cpu engine's items; maps: see gl::GpuFrame.
+    /// Renders with the cpu engine's items. maps: see gl::GpuSources.
     void render_gpu(gl::GpuFrame& frame, const ShadowMaps* maps = nullptr)
     {
         item = cpu_items(world, view, settings.samples);
@@ -107,14 +107,14 @@ class OnGpu : public OnContext {
         render_gpu(frame, gpu_film, {items, maps});
     }
 
-    /// With whatever items and maps.
+    /// Renders with the given items and maps.
     void render_gpu(gl::GpuFrame& frame, Film& film, const gl::GpuSources& sources)
     {
         const View filled = checked(view);
         frame.render({world, filled, tasks, film}, settings, sources, stats);
     }
 
-    /// With the same items and maps.
+    /// Renders with the cpu engine's items and maps.
     void render_both(const std::string& name)
     {
         const CpuPicture cpu(world, view, settings);
@@ -136,7 +136,7 @@ class OnGpu : public OnContext {
     std::function<void(std::vector<std::uint32_t>&)> change_items;
 
   private:
-    /// The items are right already.
+    /// Settings for exact items, which need no repair.
     static Settings exact_settings()
     {
         Settings exact;

@@ -1,4 +1,4 @@
-// gpu_planes_test.cpp - the gpu engine's planes are the cpu engine's, within what float leaves.
+// gpu_planes_test.cpp - the gpu engine's planes equal the cpu engine's up to rounding.
 #include "gl/gpu_pictures.h"
 
 #include "lights.h"
@@ -25,7 +25,7 @@ class GpuPlanes : public test::OnGpu {
         render_both("planes");
     }
 
-    /// Values that differ by more than `tolerance`, a share of all.
+    /// The share of the values that differ by more than `tolerance`.
     double different(Aov aov, float tolerance)
     {
         const std::vector<float>&a = gpu_film[aov].value, &b = cpu_film[aov].value;
@@ -41,7 +41,8 @@ TEST_F(GpuPlanes, HaveTheSameItems)
 
 TEST_F(GpuPlanes, HaveDepthsToAMillimetre)
 {
-    // Of 40 metres. Where the floor is seen at a grazing angle, float's roundings count most.
+    // Depths are up to 40 metres. Rounding errors are largest where the floor is seen at a grazing
+    // angle.
     for (const Aov aov : {Aov::depth, Aov::distance, Aov::position}) {
         EXPECT_EQ(different(aov, 1e-3f), 0);
         EXPECT_LE(different(aov, 1e-5f), 0.1);
@@ -66,7 +67,7 @@ TEST_F(GpuPlanes, HaveTheSameTexelColors)
     EXPECT_LE(different(Aov::albedo, 1.0f / 255), 1e-3);
 }
 
-TEST_F(GpuPlanes, SayOfEachLightHowMuchArrives)
+TEST_F(GpuPlanes, HaveTheVisibilityOfEachLight)
 {
     EXPECT_EQ(gpu_film[Aov::lit].channels, 2);
     EXPECT_LE(different(Aov::lit, 0), 1e-3);

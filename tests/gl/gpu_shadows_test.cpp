@@ -13,7 +13,7 @@ namespace {
 
 class GpuShadows : public test::OnGpu {
   protected:
-    /// The robots, lit by one light.
+    /// Loads the robots with one light.
     void light(const Light& light)
     {
         load("builtin:robots", 1.5);
@@ -118,7 +118,7 @@ TEST_F(GpuShadows, AreMadeAgainAfterMapsThatWereGiven)
     EXPECT_TRUE(gpu_film.color.value == drawn.color.value);
 }
 
-TEST_F(GpuShadows, SayWhatTheyTakeWhereThereIsTooLittleRoom)
+TEST_F(GpuShadows, ReportTheirSizeWhereMemoryIsTooSmall)
 {
     light(test::point_light({2.5, 3, 1.5}));
     settings.shadow_map_size = 8192;

@@ -1,4 +1,4 @@
-// hybrid_items_test.cpp - frames of the CPU from items that OpenGL drew.
+// hybrid_items_test.cpp - frames of the CPU with items that OpenGL drew.
 #include "gl/items/hybrid_items.h"
 
 #include "cpu/frame.h"
@@ -11,7 +11,7 @@
 namespace firsthit {
 namespace {
 
-/// A context that is current nowhere, and what the hybrid engine has there.
+/// A context that is not current, and the objects of the hybrid engine on it.
 class Hybrid : public test::OnContext {
   protected:
     void SetUp() override
@@ -31,7 +31,7 @@ class Hybrid : public test::OnContext {
         test::OnContext::TearDown();
     }
 
-    /// Items of a frame that the source made.
+    /// The items that the source makes for a frame.
     std::vector<std::uint32_t> render(
         const World& world, const View& view, const Settings& wanted, int threads = 2)
     {

@@ -1,4 +1,4 @@
-// item_pass_test.cpp - items drawn by OpenGL against the cpu engine's.
+// item_pass_test.cpp - compares items drawn by OpenGL with those of the cpu engine.
 #include "gl/items/item_pass.h"
 
 #include "gl/items/item_readback.h"
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> draw(const gl::Context& context, const World& world, 
     return {readback.picture().begin(), readback.picture().end()};
 }
 
-/// The share of samples whose items are not the cpu engine's.
+/// The share of the samples whose items differ from the cpu engine's.
 double wrong_share(
     const gl::Context& context, const World& world, const View& view, const Formats& formats)
 {
@@ -161,7 +161,7 @@ TEST_F(ItemPass, GivesTheLowerNumberWhereTrianglesCoincide)
         EXPECT_LT(wrong_share(*context, made, depth), kWrongShare);
 }
 
-TEST_F(ItemPass, DrawsPartsOfAPictureAsTheWhole)
+TEST_F(ItemPass, DrawsRegionsOfAPictureAsTheWhole)
 {
     const Scene scene = load_scene("builtin:torus");
     World world;
@@ -169,14 +169,14 @@ TEST_F(ItemPass, DrawsPartsOfAPictureAsTheWhole)
     View view = view_of(world);
     const std::vector<std::uint32_t> whole = draw(*context, world, view, {});
     view.region = {130, 97, 301, 211};
-    const std::vector<std::uint32_t> part = draw(*context, world, view, {});
+    const std::vector<std::uint32_t> region = draw(*context, world, view, {});
     std::size_t different = 0;
     for (int y = 0; y < view.region.height; ++y)
         for (int x = 0; x < view.region.width; ++x)
-            different += part[std::size_t(y * view.region.width + x)] !=
+            different += region[std::size_t(y * view.region.width + x)] !=
                          whole[std::size_t((y + view.region.y) * kSize + x + view.region.x)];
-    // Corners are snapped from other floats.
-    EXPECT_LT(double(different), kWrongShare * double(part.size()));
+    // Corners have other coordinates before they are snapped.
+    EXPECT_LT(double(different), kWrongShare * double(region.size()));
 }
 
 TEST_F(ItemPass, ChunksAreTheWholePicture)
@@ -280,7 +280,7 @@ TEST(FitDepth, KeepsARatioForWhatPassesTheEye)
     EXPECT_NEAR(range.far / range.near, gl::kMostDepths, 1);
 }
 
-TEST(FitDepth, OfNothingIsSomeRange)
+TEST(FitDepth, OfAnEmptySceneIsAValidRange)
 {
     Tasks tasks(1);
     const gl::DepthRange range = gl::fit_depth({}, {}, Pencil{}, tasks);

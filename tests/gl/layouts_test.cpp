@@ -1,4 +1,5 @@
-// layouts_test.cpp - drivers put the fields of gl/layouts.glsl where C++ has them.
+// layouts_test.cpp - drivers put the fields of gl/layouts.glsl and gl/pose_layout.glsl where C++
+// has them.
 #include "gl/device/program.h"
 #include "gl/scene/gpu_data.h"
 #include "gl_context.h"
@@ -19,7 +20,7 @@ void add_fields(const std::string& prefix, std::size_t at, Offsets& offsets)
         if (field.type == "Rays")
             add_fields<Rays>(name, at + field.offset, offsets);
         else
-            offsets[name] = at + field.offset;
+            offsets[field.is_array ? name + "[0]" : name] = at + field.offset;
     }
 }
 
@@ -30,7 +31,7 @@ void add_array(const std::string& name, std::size_t size, Offsets& offsets)
         add_fields<Struct>(name + "[" + std::to_string(k) + "]", k * sizeof(Struct), offsets);
 }
 
-/// Where the driver has the members of a program's blocks.
+/// The offsets that the driver gives the members of a program's blocks.
 Offsets offsets_of(const gl::Program& program, GLenum interface)
 {
     Offsets offsets;
@@ -57,18 +58,19 @@ GLint stride_of(const gl::Program& program, const char* name)
     return stride;
 }
 
-/// The shader that reads all of them.
+/// A shader that reads all structs of layouts.glsl.
 gl::Program shade_program(std::size_t few_lights)
 {
     const gl::Defines defines = {{"FIRSTHIT_TEST", "0"}, {"FIRSTHIT_ITEM_CHANNELS", "1"},
-        {"FIRSTHIT_SHADOW_MAPS", "1"}, {"FIRSTHIT_TEXTURES", "1"}, {"FIRSTHIT_ONLY_MODEL", "-1"},
+        {"FIRSTHIT_SHADOW_MAPS", "1"}, {"FIRSTHIT_TEXTURES", "1"}, {"FIRSTHIT_SECOND_UV", "1"},
+        {"FIRSTHIT_VERTEX_COLORS", "1"}, {"FIRSTHIT_TANGENTS", "1"}, {"FIRSTHIT_ONLY_MODEL", "-1"},
         {"FIRSTHIT_FEW_LIGHTS", std::to_string(few_lights)}};
     return gl::link_program({"screen.vert", "shade_hits.frag"}, defines);
 }
 
 using Layouts = test::OnContext;
 
-/// Every member that the driver tells of is expected, at its place.
+/// Every member that the driver lists must be expected, with its offset.
 void expect_offsets(const Offsets& found, const Offsets& expected)
 {
     for (const auto& [name, offset] : found) {
@@ -80,7 +82,7 @@ void expect_offsets(const Offsets& found, const Offsets& expected)
     }
 }
 
-TEST_F(Layouts, OfUniformBlocksAreTheDrivers)
+TEST_F(Layouts, OfUniformBlocksAreThoseOfTheDriver)
 {
     if (!context) return;
     const gl::Program program = shade_program(gl::kFewLights);
@@ -99,7 +101,7 @@ TEST_F(Layouts, OfUniformBlocksAreTheDrivers)
     EXPECT_EQ(std::size_t(size), sizeof(gl::FrameData));
 }
 
-TEST_F(Layouts, OfStorageBlocksAreTheDrivers)
+TEST_F(Layouts, OfStorageBlocksAreThoseOfTheDriver)
 {
     if (!context) return;
     const gl::Program program = shade_program(0);
@@ -111,6 +113,23 @@ TEST_F(Layouts, OfStorageBlocksAreTheDrivers)
     expect_offsets(found, expected);
     EXPECT_EQ(std::size_t(stride_of(program, "light_data[0].color")), sizeof(gl::LightData));
     EXPECT_EQ(std::size_t(stride_of(program, "map_data[0].first")), sizeof(gl::MapData));
+}
+
+TEST_F(Layouts, OfPosingAreThoseOfTheDriver)
+{
+    if (!context) return;
+    const gl::Program program = gl::link_program({"pose.comp"}, gl::Defines{{"SURFACES", "1"}});
+    Offsets expected;
+    add_array<gl::MatrixData>("matrix", 1, expected);
+    add_array<gl::InstanceData>("instance", 1, expected);
+    Offsets found = offsets_of(program, GL_BUFFER_VARIABLE);
+    std::erase_if(found, [](const auto& member) { // arrays of numbers and vectors
+        return member.first.find('.') == std::string::npos;
+    });
+    EXPECT_GE(found.size(), 5u); // those that the shader reads
+    expect_offsets(found, expected);
+    EXPECT_EQ(std::size_t(stride_of(program, "matrix[0].world[0]")), sizeof(gl::MatrixData));
+    EXPECT_EQ(std::size_t(stride_of(program, "instance[0].first")), sizeof(gl::InstanceData));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// objects_test.cpp - owners of OpenGL objects.
+// objects_test.cpp - classes that own OpenGL objects.
 #include "gl_context.h"
 #include "message_of.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using Objects = test::OnContext;
 
-TEST_F(Objects, AreCountedUntilTheyGo)
+TEST_F(Objects, AreCountedUntilTheyAreDeleted)
 {
     const std::int64_t before = gl::gl_objects_alive();
     {

@@ -1,4 +1,4 @@
-// program_test.cpp - shaders from the library's texts, and the errors of those that are wrong.
+// program_test.cpp - compiling and linking shaders, and the errors of wrong ones.
 #include "gl/device/program.h"
 
 #include "gl_context.h"

@@ -1,4 +1,4 @@
-// scene_buffers_test.cpp - vertices posed by OpenGL, and what is uploaded for them.
+// scene_buffers_test.cpp - posing vertices on OpenGL, and uploading only what has changed.
 #include "gl/scene/scene_buffers.h"
 
 #include "gl_context.h"
@@ -31,20 +31,19 @@ std::vector<glm::vec4> content(const gl::Buffer& buffer, std::size_t count)
 }
 
 struct CpuEyeSpace {
-    ViewMemory memory;
+    EyeMesh mesh;
     CpuEyeSpace(const World& world, const Pencil& pencil)
     {
         Tasks tasks(1);
-        memory.pencil = pencil;
-        project_vertices(world.position, memory, tasks);
+        project_vertices(world.position, pencil, mesh, tasks);
     }
     std::vector<glm::vec4> corners(std::size_t count) const
     {
-        return {memory.corner.data(), memory.corner.data() + count};
+        return {mesh.corner.data(), mesh.corner.data() + count};
     }
 };
 
-/// Eye space and world positions are the CPU's to the bit, normals nearly.
+/// Expects the same bits as on the CPU for eye space and world positions, and nearly equal normals.
 void expect_posed(const gl::SceneBuffers& buffers, const World& world, const Pencil& pencil)
 {
     const std::size_t count = world.position.size();
@@ -86,7 +85,7 @@ TEST_F(SceneBuffers, PosesPartsThatDeform)
     }
 }
 
-/// A rigid part between one that morphs and one that deforms, on a node that turns them.
+/// A rigid instance between one that morphs and one that deforms, on a node that turns them.
 Scene mixed_scene()
 {
     Scene scene;
@@ -96,24 +95,24 @@ Scene mixed_scene()
     scene.materials = {Material{}};
     for (std::uint32_t p = 0; p < 3; ++p) {
         const std::uint32_t first = 3 * p;
-        Part part;
-        part.first_vertex = first;
-        part.vertex_count = 3;
-        part.first_triangle = p;
-        part.triangle_count = 1;
+        Instance instance;
+        instance.first_vertex = first;
+        instance.vertex_count = 3;
+        instance.first_triangle = p;
+        instance.triangle_count = 1;
         for (const glm::vec3 corner : {glm::vec3(-1, -1, 0), {1, -1, 0}, {0, 1, float(p)}})
             scene.position.push_back(corner);
         scene.index.push_back({first, first + 1, first + 2});
         scene.owner.push_back(p);
-        scene.parts.push_back(part);
+        scene.instances.push_back(instance);
     }
     scene.vertices = 9;
     scene.normal.assign(9, glm::vec3(0, 0.6f, 0.8f));
     const std::vector<glm::vec3> flat(3, glm::vec3(0, 0, 1));
-    scene.parts[0].morph = {
+    scene.instances[0].morph = {
         {0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, flat}, {1, {{0, 0, 1}, {1, 0, 2}, {0, 1, 3}}, flat}};
-    scene.parts[2].deform = [](double time_s, std::size_t first, std::size_t last,
-                                glm::vec3* position, glm::vec3* normal) {
+    scene.instances[2].deform = [](double time_s, std::size_t first, std::size_t last,
+                                    glm::vec3* position, glm::vec3* normal) {
         for (std::size_t v = first; v < last; ++v) {
             position[v - first] = {float(v), float(v * v), float(time_s)};
             normal[v - first] = {1, 0, 0};
@@ -132,7 +131,7 @@ TEST_F(SceneBuffers, PosesRigidPartsAmongOnesThatMorphAndDeform)
         const std::uint64_t before = buffers.uploaded_bytes();
         buffers.pose(world, pencil_at(world));
         expect_posed(buffers, world, pencil_at(world));
-        // Later frames bring positions and normals of the six that move.
+        // Later frames upload positions and normals of the six moving vertices.
         if (time > 0.25) {
             EXPECT_EQ(buffers.uploaded_bytes() - before, 6 * 2 * sizeof(glm::vec3));
         }
@@ -160,10 +159,10 @@ TEST_F(SceneBuffers, LentEyeSpaceHasTheSameBits)
     pose(borrow(scene), 2.5, world);
     gl::SceneBuffers buffers(*context, gl::Detail::items);
     const CpuEyeSpace lent(world, pencil_at(world));
-    buffers.lend_eye_space(world, pencil_at(world), lent.memory.corner.span());
+    buffers.lend_eye_space(world, pencil_at(world), lent.mesh.corner.span());
     const std::size_t count = world.position.size();
     EXPECT_EQ(content(buffers.eye(), count), lent.corners(count));
-    // And posing takes it back.
+    // Posing again replaces it.
     const std::uint64_t before = buffers.poses();
     buffers.pose(world, pencil_at(world));
     EXPECT_EQ(buffers.poses(), before + 1);
@@ -178,13 +177,13 @@ TEST_F(SceneBuffers, LentEyeSpaceIsUploadedOnlyWhereItIsNew)
     const CpuEyeSpace lent(world, pencil_at(world));
     const auto lend = [&] {
         const std::uint64_t before = buffers.uploaded_bytes();
-        buffers.lend_eye_space(world, pencil_at(world), lent.memory.corner.span());
+        buffers.lend_eye_space(world, pencil_at(world), lent.mesh.corner.span());
         return buffers.uploaded_bytes() - before;
     };
     const std::size_t count = world.position.size();
     EXPECT_GT(lend(), count * sizeof(glm::vec4));
     EXPECT_EQ(lend(), 0u);
-    buffers.pose(world, pencil_at(world)); // puts its own in their place
+    buffers.pose(world, pencil_at(world)); // replaces the lent eye space
     EXPECT_EQ(lend(), count * sizeof(glm::vec4));
     EXPECT_EQ(content(buffers.eye(), count), lent.corners(count));
 }

@@ -21,7 +21,7 @@ struct Variant {
     gl::Defines defines;
 };
 
-/// All that the library compiles: a new shader or define gets its line here.
+/// All variants that the library compiles. A new shader or define needs a line here.
 std::vector<Variant> all_variants()
 {
     std::vector<Variant> variants = {{"certify.vert", {}}, {"scatter.vert", {}},
@@ -33,13 +33,15 @@ std::vector<Variant> all_variants()
         {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "0"}, {"FIRSTHIT_STORED_HITS", ""}}},
         {"count_samples.comp", {{"FIRSTHIT_COUNT_HITS", "1"}, {"FIRSTHIT_STORED_HITS", ""}}},
         {"average.frag", {}}, {"fill_holes.frag", {}}};
-    // Every value of every define, and those that meet in one place together.
+    // Every value of each define, and combinations of defines that affect the same code.
     const auto add = [&](const std::string& shader, int test, int channels, bool on, int plane,
                          int model = -1) {
         const std::string flag = on ? "1" : "0";
         gl::Defines defines = {{"FIRSTHIT_TEST", std::to_string(test)},
             {"FIRSTHIT_ITEM_CHANNELS", std::to_string(channels)}, {"FIRSTHIT_SHADOW_MAPS", flag},
-            {"FIRSTHIT_TEXTURES", flag}, {"FIRSTHIT_FEW_LIGHTS", on ? "28" : "0"},
+            {"FIRSTHIT_TEXTURES", flag}, {"FIRSTHIT_SECOND_UV", flag},
+            {"FIRSTHIT_VERTEX_COLORS", flag}, {"FIRSTHIT_TANGENTS", flag},
+            {"FIRSTHIT_ENVIRONMENT", flag}, {"FIRSTHIT_FEW_LIGHTS", on ? "28" : "0"},
             {"FIRSTHIT_PLANE", std::to_string(plane)},
             {"FIRSTHIT_ONLY_MODEL", std::to_string(model)}};
         variants.push_back({shader, defines});

@@ -111,7 +111,8 @@ TEST(HitRuns, OfOtherBlocksAreAllThatIsWrittenWhereMissesAreNot)
         resize(memory, tile->items.size, 1);
         memory.misses = memory.items = false;
         std::fill_n(memory.t.data(), memory.samples, kUntouched);
-        const HitTile hits = resolve_tile(picture.view, tile->items, memory.of(0));
+        const HitTile hits =
+            resolve_tile(picture.view, picture.view.pencil, tile->items, memory.of(0));
         EXPECT_EQ(hits.item, nullptr);
         for (int block = 0; block < int(hits.blocks()); ++block) {
             ++(hits.is_empty(block) ? empty : covered);

@@ -4,7 +4,6 @@
 #include "exact/careful_hit.h"
 #include "hits/resolve_tile.h"
 #include "instruction_sets.h"
-#include "visibility/raster/raster_tile.h"
 
 #include <firsthit/scene.h>
 
@@ -60,8 +59,8 @@ struct ExactHit {
 
 /// One block of samples whose first ray is (x0, y0, 1), and their triangles in eye space.
 struct Block {
-    ViewMemory view;
-    ItemTile items{};
+    EyeMesh mesh;
+    TileItems items;
     HitMemory memory;
     HitTile hits;
     std::vector<Corners> triangles;
@@ -71,18 +70,18 @@ struct Block {
         glm::vec2 first)
         : triangles(std::move(given))
     {
-        view.corner.resize(3 * triangles.size());
+        mesh.corner.resize(3 * triangles.size());
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
             index.push_back(glm::uvec3(0, 1, 2) + 3 * i);
             for (std::uint32_t k = 0; k < 3; ++k)
-                view.corner.data()[3 * i + k] = glm::vec4(triangles[i][k], 1);
+                mesh.corner.data()[3 * i + k] = glm::vec4(triangles[i][k], 1);
         }
-        view.index = index;
+        mesh.index = index;
         resize(items, kBlock);
         items.rays = {first.x, first.y};
         std::copy(item.begin(), item.end(), items.item.data());
         resize(memory, kBlock, 1);
-        hits = resolve_tile(view, items, memory.of(0));
+        hits = resolve_tile(mesh, Pencil(), items, memory.of(0));
     }
 };
 

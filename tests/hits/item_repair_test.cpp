@@ -1,9 +1,9 @@
 // item_repair_test.cpp - what becomes of item pictures that are only nearly right.
 #include "cpu/adversarial_scenes.h"
+#include "cutouts.h"
 #include "hits/item_repair.h"
 #include "instruction_sets.h"
 #include "items.h"
-#include "visibility/raster/raster_tile.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,10 @@ namespace {
 constexpr std::array kModes = {Multisample::none, Multisample::lazy3, Multisample::lazy5,
     Multisample::full3, Multisample::full5};
 
-using Picture = std::vector<std::uint32_t>; // (height, width)
+using ItemPicture = std::vector<std::uint32_t>; // (height, width)
 
 struct Repaired {
-    Picture item;
+    ItemPicture item;
     std::vector<bool> hole;
 };
 
@@ -31,24 +31,21 @@ struct Seen {
           width(view.width),
           height(view.height)
     {
-        eye.memory.index = world.scene->index;
     }
 
     std::size_t at(int x, int y) const { return std::size_t(y * width + x); }
 };
 
-Repaired repaired(Seen& seen, const Picture& picture, Multisample mode, int tile_size = 16)
+Repaired repaired(Seen& seen, const ItemPicture& picture, Multisample mode, int tile_size = 16)
 {
     ViewMemory& view = seen.eye.memory;
-    view.tile_size = tile_size;
-    view.tiles_x = (seen.width + tile_size - 1) / tile_size;
-    view.tiles_y = (seen.height + tile_size - 1) / tile_size;
-    const auto tile = std::make_unique<ItemTile>();
-    resize(*tile, tile_size);
-    Repaired out{Picture(picture.size()), std::vector<bool>(picture.size())};
+    lay_out(Pencil(view.pencil), tile_size, view);
+    TileItems tile;
+    resize(tile, tile_size);
+    Repaired out{ItemPicture(picture.size()), std::vector<bool>(picture.size())};
     for (int number = 0; number < view.tiles(); ++number) {
-        std::vector<std::uint64_t> holes(std::size_t(tile->blocks()), 0);
-        repair_tile_items(view, picture, number, mode, *tile, holes);
+        std::vector<std::uint64_t> holes(std::size_t(tile.blocks()), 0);
+        repair_tile_items(view, {view, picture, number}, mode, tile, holes);
         for (int y = 0; y < tile_size; ++y) {
             for (int x = 0; x < tile_size; ++x) {
                 const int px = number % view.tiles_x * tile_size + x,
@@ -56,10 +53,10 @@ Repaired repaired(Seen& seen, const Picture& picture, Multisample mode, int tile
                 const auto offset = std::size_t(tile_offset(x, y, tile_size));
                 const bool hole = holes[offset / 64] >> offset % 64 & 1;
                 if (px < seen.width && py < seen.height) {
-                    out.item[seen.at(px, py)] = tile->item[offset];
+                    out.item[seen.at(px, py)] = tile.item[offset];
                     out.hole[seen.at(px, py)] = hole;
                 } else {
-                    EXPECT_EQ(tile->item[offset], kNoItem);
+                    EXPECT_EQ(tile.item[offset], kNoItem);
                     EXPECT_FALSE(hole);
                 }
             }
@@ -69,9 +66,9 @@ Repaired repaired(Seen& seen, const Picture& picture, Multisample mode, int tile
 }
 
 /// The definition, sample by sample.
-Repaired defined(const Seen& seen, const Picture& picture, Multisample mode)
+Repaired defined(const Seen& seen, const ItemPicture& picture, Multisample mode)
 {
-    Repaired out{Picture(picture.size(), kNoItem), std::vector<bool>(picture.size())};
+    Repaired out{ItemPicture(picture.size(), kNoItem), std::vector<bool>(picture.size())};
     const bool full = mode == Multisample::full3 || mode == Multisample::full5;
     const int reach = reach_of(mode);
     Effort effort;
@@ -81,7 +78,8 @@ Repaired defined(const Seen& seen, const Picture& picture, Multisample mode)
             const glm::vec3 d = seen.eye.ray(x, y);
             const auto hit = [&](std::uint32_t id) {
                 return id < seen.eye.triangles.index.size() &&
-                       is_hit(seen.eye.triangles[id], d, effort);
+                       is_hit(seen.eye.triangles[id], d, effort) &&
+                       seen.eye.triangles.is_there(id, d);
             };
             std::uint32_t& best = out.item[seen.at(x, y)];
             if (!full && own == kNoItem) continue;
@@ -108,9 +106,9 @@ Repaired defined(const Seen& seen, const Picture& picture, Multisample mode)
 }
 
 /// Shifted here, anything there.
-Picture corrupted(const Seen& seen, const Picture& right, std::mt19937& random)
+ItemPicture corrupted(const Seen& seen, const ItemPicture& right, std::mt19937& random)
 {
-    Picture wrong = right;
+    ItemPicture wrong = right;
     const auto triangles = std::uint32_t(seen.eye.triangles.index.size());
     for (int y = 0; y < seen.height; ++y) {
         for (int x = 0; x < seen.width; ++x) {
@@ -130,22 +128,25 @@ template <class F>
 void for_adversarial_worlds(const F& check)
 {
     View view = straight_view(kSize, kSize, kSize);
-    for (const AdversarialScene& scene : adversarial_scenes()) {
-        SCOPED_TRACE(scene.name);
+    for (std::size_t k = 0; k < 2 * adversarial_scenes().size(); ++k) {
+        const AdversarialScene& scene = adversarial_scenes()[k / 2];
+        const bool cutouts = k % 2 == 1;
+        SCOPED_TRACE(scene.name + (cutouts ? " with cut-outs" : ""));
         std::mt19937 random(31);
         TestWorld world;
         scene.fill(world, random);
         world.finish();
+        if (cutouts) make_cutouts(world, random, true);
         Seen seen(world.world, view);
-        const Picture right = brute_items(world.world, view);
+        const ItemPicture right = brute_items(world.world, view);
         check(seen, right, random);
     }
 }
 
 TEST(Multisample, IsWhatItIsDefinedToBe)
 {
-    for_adversarial_worlds([&](Seen& seen, const Picture& right, std::mt19937& random) {
-        const Picture wrong = corrupted(seen, right, random);
+    for_adversarial_worlds([&](Seen& seen, const ItemPicture& right, std::mt19937& random) {
+        const ItemPicture wrong = corrupted(seen, right, random);
         for (const Multisample mode : kModes) {
             SCOPED_TRACE(int(mode));
             const Repaired expected = defined(seen, wrong, mode);
@@ -160,8 +161,8 @@ TEST(Multisample, IsWhatItIsDefinedToBe)
 
 TEST(Multisample, IsTheSameForEveryInstructionSet)
 {
-    for_adversarial_worlds([&](Seen& seen, const Picture& right, std::mt19937& random) {
-        const Picture wrong = corrupted(seen, right, random);
+    for_adversarial_worlds([&](Seen& seen, const ItemPicture& right, std::mt19937& random) {
+        const ItemPicture wrong = corrupted(seen, right, random);
         for (const Multisample mode : kModes) {
             const Repaired expected = repaired(seen, wrong, mode);
             for_instruction_sets([&] {
@@ -175,7 +176,7 @@ TEST(Multisample, IsTheSameForEveryInstructionSet)
 
 TEST(Multisample, LeavesARightPictureAlone)
 {
-    for_adversarial_worlds([&](Seen& seen, const Picture& right, std::mt19937&) {
+    for_adversarial_worlds([&](Seen& seen, const ItemPicture& right, std::mt19937&) {
         for (const Multisample mode : kModes) {
             const Repaired ours = repaired(seen, right, mode);
             EXPECT_EQ(differences(ours.item, right, seen.width), 0u);
@@ -201,8 +202,8 @@ TEST(Multisample, FindsTheNeighbourWhereAnItemIsOffByOnePixel)
 {
     const Square square;
     Seen seen(square.world.world, square.view);
-    const Picture right = brute_items(square.world.world, square.view);
-    Picture wrong = right;
+    const ItemPicture right = brute_items(square.world.world, square.view);
+    ItemPicture wrong = right;
     for (std::size_t k = 0; k + 1 < right.size(); ++k) wrong[k] = right[k + 1];
     ASSERT_NE(wrong, right);
     for (const Multisample mode : {Multisample::lazy3, Multisample::full3})
@@ -214,10 +215,10 @@ TEST(Multisample, FiveByFiveReachesTwoPixels)
 {
     const Square square;
     Seen seen(square.world.world, square.view);
-    const Picture right = brute_items(square.world.world, square.view);
+    const ItemPicture right = brute_items(square.world.world, square.view);
     // Nothing but a triangle that is missed, and the right one two samples away.
     const std::uint32_t hit = right[seen.at(15, 2)], missed = 1 - hit;
-    Picture wrong(right.size(), missed);
+    ItemPicture wrong(right.size(), missed);
     wrong[seen.at(17, 4)] = hit;
     EXPECT_TRUE(repaired(seen, wrong, Multisample::lazy3).hole[seen.at(15, 2)]);
     EXPECT_EQ(repaired(seen, wrong, Multisample::lazy5).item[seen.at(15, 2)], hit);
@@ -229,8 +230,8 @@ TEST(Multisample, OnlyFullAsksWhereThereIsNoItem)
 {
     const Square square;
     Seen seen(square.world.world, square.view);
-    const Picture right = brute_items(square.world.world, square.view);
-    Picture wrong = right;
+    const ItemPicture right = brute_items(square.world.world, square.view);
+    ItemPicture wrong = right;
     wrong[seen.at(7, 5)] = kNoItem;
     EXPECT_EQ(repaired(seen, wrong, Multisample::lazy5).item, wrong);
     EXPECT_EQ(repaired(seen, wrong, Multisample::full3).item, right);
@@ -240,7 +241,7 @@ TEST(Multisample, ExactTakesItemsAsTheyAre)
 {
     const Square square;
     Seen seen(square.world.world, square.view);
-    Picture picture(20 * 12, 1);
+    ItemPicture picture(20 * 12, 1);
     picture[3] = kNoItem;
     picture[5] = 2; // no triangle
     const Repaired ours = repaired(seen, picture, Multisample::exact);

@@ -1,4 +1,4 @@
-// grid_shadows_test.cpp - shadows by a sample grid equal those of the plain loop over all pairs, and
+// grid_shadows_test.cpp - shadows by a sample grid equal those of testing all pairs, and
 // those by patches and cells.
 #include "instruction_sets.h"
 #include "shadow/exact/planned_shadows.h"
@@ -17,7 +17,7 @@ class GridShadows : public testing::TestWithParam<std::size_t> {
     const ShadowScene& scene = shadow_scenes()[GetParam()];
 };
 
-TEST_P(GridShadows, EqualThePlainLoop)
+TEST_P(GridShadows, EqualBruteForce)
 {
     const ShadowWorld made = make_shadow_world(scene, 7);
     const World& world = made.world.world;

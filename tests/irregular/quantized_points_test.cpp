@@ -47,7 +47,7 @@ void test_triangle(const test::Triangle& triangle, const SampleGrid& grid,
                high = greatest16(greatest16(a, b), c);
     result.low = hn::GetLane(low);
     result.high = hn::GetLane(high);
-    const GridEdges edges = find_edges(grid, a, b, c, low, high);
+    const GridEdges edges = find_edges(grid, {a, b, c}, low, high);
     for (int e = 0; e < 3; ++e) result.normal[e] = hn::GetLane(edges.normal[e]);
     result.beyond = hn::GetLane(edges.beyond);
     result.beyond_opposite = hn::GetLane(edges.beyond_opposite);
@@ -77,7 +77,7 @@ namespace test {
 namespace {
 
 /// The points are the samples.
-struct NoPoints : PencilPoints {
+struct UnusedPoints : PencilPoints {
     glm::vec3 in_pencil_space(std::uint32_t) const override { return glm::vec3(0); }
 };
 
@@ -92,7 +92,7 @@ void make_grid(const std::vector<IrregularSample>& samples, SampleGrid& grid)
     const SamplePatch patch{{0, samples.size()}, bounds};
     Tasks tasks(1);
     ASSERT_TRUE(sort_into_grid(
-        samples, {&patch, 1}, bounds, {.directional = true}, NoPoints(), grid, tasks));
+        {samples, {&patch, 1}, bounds}, {.directional = true}, UnusedPoints(), grid, tasks));
 }
 
 TEST(QuantizedPoints, AreAsInTheWorkedExample)

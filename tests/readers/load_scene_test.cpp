@@ -25,7 +25,7 @@ TEST(LoadScene, KnowsAFileByItsEndingInAnyCase)
 
 TEST(LoadScene, ListsWhatIsAcceptedForAnUnknownEnding)
 {
-    for (const char* const name : {"a.fbx", "noending", "a.ply.gz", ""})
+    for (const char* const name : {"a.blend", "noending", "a.ply.gz", ""})
         expect_in(load_error<FileError>(name), ".aff, .nff, .ply, .stl, .obj");
 }
 
@@ -112,15 +112,22 @@ TEST(LoadSceneFiles, AreNoneOfABuiltin)
     EXPECT_TRUE(load_scene("builtin:robots").files.empty());
 }
 
-TEST(LoadScene, LightsAFileWithoutLightsFromTheCamerasSide)
+TEST(LoadScene, LightsAFileWithoutLightsFromTheCamera)
 {
     const TemporaryFolder folder;
-    const Scene scene = load_scene(folder.write("a.obj", kCubeObj).string());
-    ASSERT_EQ(scene.lights.size(), 1u);
-    const glm::dvec3 from_middle = scene.lights[0].position - glm::dvec3(0.5);
-    EXPECT_GT(from_middle.x, 0.5); // right
-    EXPECT_GT(from_middle.y, 0.5); // up
-    EXPECT_GT(from_middle.z, 0.5); // in front
+    World world;
+    pose(load_scene(folder.write("a.obj", kCubeObj).string()), 0, world);
+    ASSERT_EQ(world.lights.size(), 1u);
+    EXPECT_TRUE(world.lights[0].on_camera);
+    for (const glm::dvec3 direction :
+        {glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 7)}) {
+        const Camera camera{.eye = {1, 2, 3}, .direction = direction, .up = {0, 1, 0}};
+        hang_lights(camera, world);
+        const glm::dvec3 shines = world.lights[0].direction;
+        EXPECT_GT(glm::dot(shines, direction), 0);                        // away from the viewer
+        EXPECT_GT(glm::dot(shines, glm::cross(direction, camera.up)), 0); // to the right
+        EXPECT_LT(shines.y, 0);                                           // down
+    }
 }
 
 TEST(SceneFromArrays, MakesFlatNormalsWhereItIsGivenNone)

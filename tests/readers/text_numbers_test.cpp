@@ -1,8 +1,9 @@
 // text_numbers_test.cpp - numbers of text files are the nearest floats.
 #include "readers/aff/aff_text.h"
-#include "readers/mesh/mtl.h"
+#include "readers/mesh/mtl/mtl.h"
 #include "readers/mesh/mesh_text.h"
 #include "io/parse_number.h"
+#include "io/scan_number.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,31 @@ TEST(TextNumbers, GoToZeroAndInfinityWhereFloatsEnd)
     EXPECT_FALSE(parse_float("1x"));
 }
 
+TEST(TextNumbers, OfLongTextsAreThoseOfWords)
+{
+    for (const std::string& word : Words().some(300'000)) {
+        const std::string text = word + "\n";
+        float value = 0;
+        ASSERT_EQ(
+            scan_float(text.data(), text.data() + text.size(), value), text.data() + word.size())
+            << word;
+        ASSERT_EQ(bits(value), bits(parse_float(word).value())) << word;
+    }
+    for (const std::string word :
+        {"0", "-0", "+1", "1.", ".5", "-.5e1", "1e", "1e+", "e5", ".", "-", "", "1.2.3", "1,5",
+            "0x10", "nan", "-inf", "1e38", "1e39", "123456789012345678901234567890",
+            "0.00000000000000000000000000000000000001", "1e-38", "16777217", "16777219", "1e22",
+            "9007199254740993", "1e0001", "1e00001", "00000000000000000000001", "1_"}) {
+        float value = -7;
+        const char* const end = word.data() + word.size();
+        const bool known = scan_float(word.data(), end, value) == end;
+        const std::optional<float> expected = parse_float(word);
+        ASSERT_EQ(known && !word.empty(), expected.has_value()) << word;
+        if (!expected || std::isnan(*expected)) continue;
+        EXPECT_EQ(bits(value), bits(*expected)) << word;
+    }
+}
+
 /// What a format makes of three numbers, at the first corner.
 using Reads = Scene (*)(const std::string& x, const std::string& y, const std::string& z);
 
@@ -159,8 +185,9 @@ TEST(TextNumbers, OfTextureCoordinates)
 TEST(TextNumbers, OfMaterials)
 {
     for (const std::string& word : Words().some(500)) {
-        const auto materials = read_mtl("newmtl a\nKd " + word + " 0 0\n", "m.mtl");
-        ASSERT_EQ(materials.at(0).material.diffuse.r, nearest(word)) << word;
+        Problems problems;
+        const auto materials = read_mtl("newmtl a\nKd " + word + " 0 0\n", "m.mtl", problems);
+        ASSERT_EQ(materials.at(0).phong.diffuse.r, nearest(word)) << word;
     }
 }
 

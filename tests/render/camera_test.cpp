@@ -22,7 +22,7 @@ struct Intrinsics {
     double skew;
 };
 
-/// Of pictures of 96 x 64 pixels.
+/// A camera for pictures of 96 x 64 pixels.
 const std::vector<Intrinsics>& intrinsics()
 {
     static const std::vector<Intrinsics> all{{{90.3, 57.7}, {48, 32}, 0},
@@ -31,13 +31,13 @@ const std::vector<Intrinsics>& intrinsics()
     return all;
 }
 
-struct Picture {
+struct CameraPicture {
     Scene scene = load_scene("builtin:robots");
     World world;
     View view;
     Settings settings;
 
-    Picture()
+    CameraPicture()
     {
         pose(borrow(scene), 2.5, world);
         view.camera = world.camera;
@@ -68,7 +68,8 @@ struct Picture {
         return {x, glm::cross(z, x), z};
     }
 
-    /// The ray through the middle of pixel (i, j), by the textbook; depth 1.
+    /// The ray through the middle of pixel (i, j), by the usual formula of a pinhole camera; depth
+    /// 1.
     glm::dvec3 ray(int i, int j) const
     {
         const glm::dvec2 f = *view.camera.focal, c = *view.camera.principal_point;
@@ -92,7 +93,7 @@ glm::dvec3 vector_at(const Plane& plane, std::size_t pixel)
 
 TEST(CalibratedCamera, SeesAndShadowsWhatBruteForceSays)
 {
-    Picture picture;
+    CameraPicture picture;
     for (const Intrinsics& of : intrinsics()) {
         SCOPED_TRACE(of.principal_point.x);
         picture.use(of);
@@ -144,7 +145,7 @@ TEST(CalibratedCamera, SeesWhatBruteForceSaysFarFromItsAxis)
 
 TEST(CalibratedCamera, PlanesAreOfTheTextbooksRays)
 {
-    Picture picture;
+    CameraPicture picture;
     for (const Intrinsics& of : intrinsics()) {
         SCOPED_TRACE(of.principal_point.x);
         picture.use(of);
@@ -157,7 +158,7 @@ TEST(CalibratedCamera, PlanesAreOfTheTextbooksRays)
             const int i = int(k % 96), j = int(k / 96);
             const double depth = double(film[Aov::depth].value[k]);
             const glm::dvec3 from_eye = vector_at(film[Aov::position], k) - picture.view.camera.eye;
-            // Back to the pixel's middle: coordinates are floats of up to 40.
+            // Project back to the pixel's middle. Coordinates are floats of up to 40.
             const glm::dvec3 p = world_to_frame * from_eye;
             const double tolerance = 2e-5 / depth * std::max(of.focal.x, of.focal.y) + 1e-4;
             EXPECT_NEAR(of.focal.x * p.x / p.z + of.skew * p.y / p.z + of.principal_point.x,
@@ -197,7 +198,7 @@ std::uint32_t nearest(const World& world, const glm::dvec3& eye, const glm::dvec
 
 TEST(CalibratedCamera, SeesTheTrianglesOfTheTextbooksRays)
 {
-    Picture picture;
+    CameraPicture picture;
     picture.settings.color = false;
     picture.settings.aovs = {Aov::item};
     for (const Intrinsics& of : intrinsics()) {
@@ -216,7 +217,7 @@ TEST(CalibratedCamera, SeesTheTrianglesOfTheTextbooksRays)
 TEST(CalibratedCamera, MovedByWholePixelsSeesARegionOfTheLargerPicture)
 {
     for (const Shadows shadows : {Shadows::exact, Shadows::map}) {
-        Picture picture;
+        CameraPicture picture;
         picture.settings.shadows = shadows;
         picture.view.camera.focal = glm::dvec2(120.3, 130.9);
         picture.view.width = 192, picture.view.height = 160;
@@ -231,7 +232,7 @@ TEST(CalibratedCamera, MovedByWholePixelsSeesARegionOfTheLargerPicture)
 
 TEST(CalibratedCamera, OfOneFocalLengthInTheMiddleIsThatOfTheFieldOfView)
 {
-    Picture picture;
+    CameraPicture picture;
     const Film expected = picture.render();
     const double f = 32 / std::tan(0.5 * picture.view.camera.fov_y_rad);
     picture.use({glm::dvec2(f), {48, 32}, 0});
@@ -242,23 +243,23 @@ TEST(CalibratedCamera, OfOneFocalLengthInTheMiddleIsThatOfTheFieldOfView)
 
 TEST(CalibratedCamera, MakesTheSameBitsWithAnyThreadsTilesAndRegions)
 {
-    Picture picture;
+    CameraPicture picture;
     picture.use(intrinsics()[2]);
     const Film expected = picture.render();
     picture.settings.tile_size = 24;
     expect_equal(picture.render(3), expected);
     picture.view.region = {11, 7, 50, 40};
-    const Film part = picture.render();
+    const Film region = picture.render();
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 50; ++x)
-            EXPECT_EQ(part.item[std::size_t(y * 50 + x)],
+            EXPECT_EQ(region.item[std::size_t(y * 50 + x)],
                 expected.item[std::size_t((y + 7) * 96 + x + 11)]);
 }
 
 TEST(CalibratedCamera, OfSeveralSamplesIsALargerPicturesAverage)
 {
     constexpr int kSamples = 3;
-    Picture picture;
+    CameraPicture picture;
     picture.settings.aovs.clear();
     const Intrinsics of = intrinsics()[2];
     picture.use(of);
@@ -286,7 +287,7 @@ TEST(CalibratedCamera, OfSeveralSamplesIsALargerPicturesAverage)
 
 TEST(CalibratedCamera, HasTheMapsShadowsWhereTheExactOnesAre)
 {
-    Picture picture;
+    CameraPicture picture;
     picture.settings.color = false;
     picture.settings.aovs = {Aov::lit};
     for (const Intrinsics& of : intrinsics()) {

@@ -1,4 +1,4 @@
-// cancel_test.cpp - a frame that is given up leaves the renderer as if it had never begun.
+// cancel_test.cpp - a cancelled frame leaves the renderer as if it had never begun.
 #include <firsthit/firsthit.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace firsthit {
 namespace {
 
-/// What a frame may be made by.
+/// The ways in which a frame can be made.
 struct Case {
     std::string name;
     Engine engine;
@@ -137,7 +137,7 @@ TEST_P(Cancel, ProgressRisesFromZeroToOneOnTheCallersThread)
         Renderer(threads).render(world_, view_, settings_, film, control);
         expect_equal(film, expected_);
         EXPECT_FALSE(elsewhere);
-        // Where the other threads do all the work, there is nothing to say between begin and end.
+        // If other threads do all the work, nothing is reported between begin and end.
         ASSERT_GE(shares.size(), threads == 1 ? 5u : 2u);
         EXPECT_EQ(shares.front(), 0);
         EXPECT_EQ(shares.back(), 1);
@@ -181,14 +181,14 @@ TEST_P(Cancel, AtAnyShareTheNextFrameIsAFreshRenderers)
                 stopped = true;
                 source.request_stop();
             };
-            // Another world than the next frame's: nothing of it may stay.
+            // A different world than in the next frame, so that anything that is left would show.
             bool cancelled = false;
             try {
                 renderer.render(later, view_, settings_, film, {source.get_token(), progress});
             } catch (const Cancelled&) {
                 cancelled = true;
             }
-            // Where few reports come, the first that is late enough may be the last.
+            // If there are few reports, the first one that is late enough may be the last.
             EXPECT_EQ(cancelled, last < 1) << at;
             EXPECT_FALSE(after) << at;
             if (at <= 0) {

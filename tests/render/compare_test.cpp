@@ -1,4 +1,4 @@
-// compare_test.cpp - whole scenes, items and shadows, against both oracles.
+// compare_test.cpp - compares items and shadows of whole scenes with both oracles.
 #include "scene/model/borrow.h"
 #include "scenes.h"
 #include "test_data.h"
@@ -16,7 +16,7 @@ void expect_right(const Scene& scene, double time_s, Oracle oracle, int size)
     pose(borrow(scene), time_s, world);
     View view;
     view.width = view.height = size;
-    view.camera = scene.camera ? world.camera : framing_camera(world);
+    view.camera = world.camera;
     const Comparison c = compare(world, view, oracle, 2);
     EXPECT_EQ(c.ours_wrong, 0u) << scene.name << " at " << time_s;
     EXPECT_EQ(c.pixels, std::uint64_t(size) * std::uint64_t(size));

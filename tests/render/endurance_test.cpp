@@ -1,4 +1,4 @@
-// endurance_test.cpp - ten thousand frames in one process: OpenGL's engines keep what they have.
+// endurance_test.cpp - ten thousand frames in one process do not use more and more memory.
 #include "gl/device/objects.h"
 #include "scene/model/borrow.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kFrames = 10000, kDecided = 1000;
 
-/// Of this process, in memory.
+/// Memory that this process uses.
 std::size_t resident_bytes()
 {
     std::ifstream statm("/proc/self/statm");
@@ -24,7 +24,7 @@ std::size_t resident_bytes()
     return resident * std::size_t(sysconf(_SC_PAGESIZE));
 }
 
-/// The frames' settings, one after the other: engines, modes and formats in turn.
+/// Settings of consecutive frames: all engines, modes and formats in turn.
 Settings settings_of(int frame)
 {
     Settings settings;

@@ -1,4 +1,4 @@
-// engine_comparison_test.cpp - the engines on OpenGL against the cpu engine.
+// engine_comparison_test.cpp - comparing the OpenGL engines with the cpu engine.
 #include "message_of.h"
 #include "scene/model/borrow.h"
 #include "scenes.h"
@@ -51,7 +51,7 @@ TEST(EngineComparison, AddsFrames)
     EXPECT_FALSE((twice + a).square_sum_same_items);
 }
 
-/// Skipped where there is no OpenGL.
+/// Skipped if there is no OpenGL.
 class EngineComparing : public testing::Test {
   protected:
     void SetUp() override
@@ -69,7 +69,7 @@ class EngineComparing : public testing::Test {
         scene = load_scene(name);
         pose(borrow(scene), time_s, world);
         view.width = view.height = size;
-        view.camera = scene.camera ? world.camera : framing_camera(world);
+        view.camera = world.camera;
     }
 
     EngineComparison compare(Engine engine, Multisample multisample)
@@ -184,7 +184,7 @@ TEST_F(EngineComparing, CountsEveryItemThatDiffers)
 
 TEST_F(EngineComparing, CountsTiesApart)
 {
-    // Triangles twice in the same place, from another corner on: floats may find the second nearer.
+    // Each triangle twice, starting at different corners: rounding may make the second one nearer.
     TestWorld twice;
     for (int k = 0; k < 16; ++k) {
         const auto x = float(k % 4), y = float(k / 4);
@@ -206,7 +206,7 @@ TEST_F(EngineComparing, CountsWhatIsInterpolated)
     load("builtin:robots", 2.5, 256);
     for (const Engine engine : kEngines) {
         settings.interpolate = true;
-        // Holes are missed where the cpu engine sees something.
+        // Holes count as missed if the cpu engine sees a triangle there.
         const EngineComparison filled = compare(engine, Multisample::none);
         EXPECT_GE(filled.interpolated, filled.missed) << int(engine);
         EXPECT_GT(filled.interpolated, 0u) << int(engine);

@@ -1,4 +1,4 @@
-// engines_test.cpp - the renderer's engines: who makes the frame, and that it is the same picture.
+// engines_test.cpp - the choice of the engine, and that all engines make the same picture.
 #include "message_of.h"
 #include "scene/model/borrow.h"
 #include "scenes.h"
@@ -34,7 +34,7 @@ class Engines : public testing::Test {
         scene_ = load_scene(name);
         pose(borrow(scene_), time_s, world_);
         view_.width = view_.height = size;
-        view_.camera = scene_.camera ? world_.camera : framing_camera(world_);
+        view_.camera = world_.camera;
     }
 
     Film render(const Settings& settings)
@@ -85,7 +85,7 @@ TEST_F(Engines, MakeTheSamePictureInEveryMode)
                         settings.engine = engine;
                         settings.multisample = mode;
                         settings.opengl.passes = passes;
-                        // Borders of shadows fall on other texels' sides.
+                        // At borders of shadows, points may fall on neighbouring texels.
                         EXPECT_LT(different(render(settings), expected),
                             shadows == Shadows::map ? 0.02 : 0.004);
                     }
@@ -158,8 +158,7 @@ TEST_F(Engines, ShowUnlitSurfacesAsTheyAre)
     const glm::vec3 color(0.25f, 0.5f, 1.5f);
     scene_ = scene_from_arrays({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}});
     scene_.materials[0].model = Unlit{.color = color};
-    scene_.lights.resize(1);
-    scene_.lights[0].position = {0, 0, -5}; // behind
+    scene_.lights = {Light{.position = {0, 0, -5}}}; // behind
     pose(borrow(scene_), 0, world_);
     view_.width = view_.height = 64;
     view_.camera = framing_camera(world_);
@@ -184,7 +183,7 @@ TEST_F(Engines, ShowUnlitSurfacesAsTheyAre)
         }
 }
 
-TEST_F(Engines, AreSaidAndWhy)
+TEST_F(Engines, ReportWhichEngineRanAndWhy)
 {
     Settings settings;
     render(settings);
@@ -206,7 +205,7 @@ TEST_F(Engines, AreSaidAndWhy)
     EXPECT_EQ(renderer_.engine().reason, "exact shadows are made by the cpu engine");
 }
 
-TEST_F(Engines, UploadTheSceneOnceAndSaySo)
+TEST_F(Engines, UploadTheSceneOnceAndCountItsBytes)
 {
     for (const Engine engine : {Engine::hybrid, Engine::gpu}) {
         for (const Multisample mode : {Multisample::lazy3, Multisample::exact}) {

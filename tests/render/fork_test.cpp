@@ -1,4 +1,4 @@
-// fork_test.cpp - a child process that forks off may destroy what its parent made.
+// fork_test.cpp - after fork(), a child process can destroy the objects that its parent made.
 #include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kSeconds = 20; // until a child counts as hanging; it needs milliseconds
 
 /// Runs `work` in a child.
-/// returns  what waitpid says of it; SIGKILL where it hung
+/// returns  the status of waitpid; that of SIGKILL if the child hung
 int status_of_child(const std::function<bool()>& work)
 {
     const pid_t child = fork();
@@ -73,12 +73,12 @@ TEST_F(Fork, TheChildMayDestroyARendererOfEveryEngine)
             return true;
         };
         EXPECT_EQ(status_of_child(destroy), 0) << "engine " << int(engine);
-        // The parent's goes on.
+        // The parent's renderer still works.
         renderer->render(world, view, settings, film);
     }
 }
 
-TEST_F(Fork, TheChildMayDestroyOcclusionAndPeer)
+TEST_F(Fork, TheChildMayDestroyOcclusionAndBaseline)
 {
     auto occlusion = std::make_unique<Occlusion>(2);
     std::vector<std::uint8_t> occluded;

@@ -1,4 +1,4 @@
-// frame_allocation_test.cpp - frames of one size share their memory.
+// frame_allocation_test.cpp - frames of the same size allocate nothing.
 #include "allocations.h"
 #include "scene/model/borrow.h"
 

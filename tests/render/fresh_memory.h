@@ -1,4 +1,4 @@
-// fresh_memory.h - fills what buffers get, while it lives.
+// fresh_memory.h - while it exists, new memory of buffers is filled with chosen values.
 #pragma once
 
 #include "base/fresh_memory.h"

@@ -1,4 +1,5 @@
-// fresh_memory_gl_test.cpp - nor do pictures that OpenGL makes, or takes part in.
+// fresh_memory_gl_test.cpp - pictures of the OpenGL engines do not depend on what memory held
+// before.
 #include "render/fresh_memory.h"
 #include "render/memory_cases.h"
 
@@ -9,8 +10,8 @@
 namespace firsthit::test {
 namespace {
 
-/// All quick cases in all ways, by one renderer: contexts are slow to make. Its memory grows with the
-/// pictures; what has grown already holds what other pictures left there.
+/// All quick cases in all ways, by one renderer: contexts are slow to make. Its memory grows with
+/// the pictures; what has grown already holds what other pictures left there.
 std::vector<std::vector<std::byte>> pictures(Engine engine, FreshFill fill, int tile_size)
 {
     const FreshMemory fresh(fill);

@@ -1,4 +1,4 @@
-// fresh_memory_test.cpp - pictures depend on nothing that memory happened to hold.
+// fresh_memory_test.cpp - pictures of the cpu engine do not depend on what memory held before.
 #include "instruction_sets.h"
 #include "render/fresh_memory.h"
 #include "render/memory_cases.h"
@@ -20,7 +20,7 @@ std::vector<std::byte> picture(
     return bytes_of(film);
 }
 
-/// By a renderer of its own, whose memory is all fresh.
+/// Renders with a new renderer, so that all its memory is new.
 std::vector<std::byte> fresh_picture(
     const MemoryCase& shown, const FrameKind& kind, FreshFill fill, int tile_size, int threads)
 {
@@ -31,7 +31,7 @@ std::vector<std::byte> fresh_picture(
 
 TEST(FreshMemory, DecidesNoPicture)
 {
-    // A renderer that has made all other pictures before: its memory holds what these left there.
+    // A renderer that has made all other pictures before, whose values are still in its memory.
     Renderer used(2);
     for (const MemoryCase& shown : memory_cases()) {
         for (const FrameKind& kind : frame_kinds(Engine::cpu)) {

@@ -1,4 +1,4 @@
-// idle_test.cpp - threads that have nothing to do sleep.
+// idle_test.cpp - idle threads sleep.
 #include "scene/model/borrow.h"
 
 #include <firsthit/firsthit.h>
@@ -12,7 +12,7 @@
 namespace firsthit {
 namespace {
 
-/// Of all threads of this process.
+/// Processor time of all threads of this process.
 double processor_seconds()
 {
     timespec time{};

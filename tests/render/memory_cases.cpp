@@ -1,5 +1,4 @@
-// memory_cases.cpp - small worlds and ways to make their pictures, between which frames meet every kind
-// of memory that they use.
+// memory_cases.cpp - small worlds and settings that together make frames use every kind of memory.
 #include "scene/model/borrow.h"
 #include "render/memory_cases.h"
 
@@ -16,7 +15,7 @@
 namespace firsthit::test {
 namespace {
 
-/// A scene of the library's own, as its camera or one that sees all of it does.
+/// A built-in scene with its own camera, or with one that sees the whole scene.
 MemoryCase show(std::string name, Scene scene, double time_s, int width, int height)
 {
     MemoryCase made{std::move(name), {}};
@@ -25,7 +24,7 @@ MemoryCase show(std::string name, Scene scene, double time_s, int width, int hei
     pose(borrow(*made.made.world.scene), time_s, world);
     made.made.view.width = width;
     made.made.view.height = height;
-    made.made.view.camera = made.made.world.scene->camera ? world.camera : framing_camera(world);
+    made.made.view.camera = world.camera;
     return made;
 }
 

@@ -1,5 +1,4 @@
-// memory_cases.h - small worlds and ways to make their pictures, between which frames meet every kind of
-// memory that they use.
+// memory_cases.h - small worlds and settings that together make frames use every kind of memory.
 #pragma once
 
 #include "shadow/shadow_scenes.h"
@@ -20,7 +19,7 @@ struct MemoryCase {
 /// A few of the library's own scenes and all shadow scenes, lit, 64 to 128 pixels on a side.
 std::vector<MemoryCase> memory_cases();
 
-/// Those that meet the most in the least time: the first so many of memory_cases().
+/// The number of cases at the start of memory_cases() that cover the most in the least time.
 inline constexpr std::size_t kQuickCases = 6;
 
 struct FrameKind {
@@ -28,10 +27,10 @@ struct FrameKind {
     Settings settings;
 };
 
-/// Every kind of shadow with every set of planes that takes another way through a frame.
+/// Every kind of shadow with every set of planes that uses different code.
 std::vector<FrameKind> frame_kinds(Engine engine);
 
-/// All that the film holds, byte for byte.
+/// All bytes of the film.
 std::vector<std::byte> bytes_of(const Film& film);
 
 } // namespace firsthit::test

@@ -1,4 +1,4 @@
-// occlusion_test.cpp - points that are no pixels: what lights do not reach, and what is refused.
+// occlusion_test.cpp - which points lights do not reach, and which arguments are refused.
 #include "message_of.h"
 #include "scene/model/borrow.h"
 #include "scenes.h"
@@ -76,11 +76,12 @@ TEST(Occlusion, OfASpotIsAlsoOutsideItsCone)
 TEST(Occlusion, SkipsThePointsOwnTriangleAndAsksForNoSide)
 {
     const Square square;
-    // Under the square by more than any rounding: it shadows, unless it is the receiver.
+    // Below the square by more than the margins: the square shadows the point unless it is the
+    // receiver.
     const std::vector<glm::vec3> points{{0.5f, 0.99f, -0.5f}, {0.5f, 0.99f, -0.5f}};
     EXPECT_EQ(square.test(points, square.above, {0, kNoItem}), (Bytes{0, 1}));
     EXPECT_EQ(square.test(points, square.above, {1, 0}), (Bytes{1, 0}));
-    // Seen from below the light is on the other side: the receiver does not care.
+    // The light is on the other side of the receiver, which makes no difference.
     Light below = square.above;
     below.position = {0, -3, 0};
     EXPECT_EQ(square.test({{0.5f, 1, -0.5f}}, below, {0}), (Bytes{0}));

@@ -14,12 +14,12 @@
 namespace firsthit::test {
 namespace {
 
-struct Picture {
+struct RenderedPicture {
     Scene scene = load_scene("builtin:robots");
     World world;
     View view;
 
-    Picture()
+    RenderedPicture()
     {
         pose(borrow(scene), 1.5, world);
         view.width = 96, view.height = 64;
@@ -60,7 +60,7 @@ TEST(Renderer, RefusesAWorldThatWasNeverPosed)
 
 TEST(Renderer, MakesTheSameBitsWithAnyThreadsAndTiles)
 {
-    const Picture picture;
+    const RenderedPicture picture;
     Settings settings = everything();
     const Film expected = picture.render(settings);
     expect_equal(picture.render(settings, 2), expected);
@@ -73,7 +73,7 @@ TEST(Renderer, MakesTheSameBitsWithAnyThreadsAndTiles)
 
 TEST(Renderer, MakesTheSamePlanesWithAnySamples)
 {
-    const Picture picture;
+    const RenderedPicture picture;
     Settings settings = everything();
     Film expected = picture.render(settings);
     settings.samples = 3;
@@ -86,7 +86,7 @@ TEST(Renderer, MakesTheSamePlanesWithAnySamples)
 TEST(Renderer, AveragesASupersampledPicturesPixels)
 {
     for (const int samples : {2, 3, 5}) {
-        Picture picture;
+        RenderedPicture picture;
         Settings settings;
         settings.samples = samples;
         const Film film = picture.render(settings);
@@ -111,25 +111,25 @@ TEST(Renderer, AveragesASupersampledPicturesPixels)
 
 TEST(Renderer, MakesRegionsOfTheSamePicture)
 {
-    Picture picture;
+    RenderedPicture picture;
     const Film whole = picture.render(everything());
     picture.view.region = {17, 5, 50, 33};
-    const Film part = picture.render(everything(), 2);
-    ASSERT_EQ(part.width, 50);
-    ASSERT_EQ(part.height, 33);
+    const Film region = picture.render(everything(), 2);
+    ASSERT_EQ(region.width, 50);
+    ASSERT_EQ(region.height, 33);
     for (int y = 0; y < 33; ++y) {
         for (int x = 0; x < 50; ++x) {
             const auto from = std::size_t((y + 5) * 96 + x + 17), to = std::size_t(y * 50 + x);
-            EXPECT_EQ(part.item[to], whole.item[from]);
+            EXPECT_EQ(region.item[to], whole.item[from]);
             for (std::size_t c = 0; c < 3; ++c)
-                EXPECT_EQ(part.color.value[3 * to + c], whole.color.value[3 * from + c]);
+                EXPECT_EQ(region.color.value[3 * to + c], whole.color.value[3 * from + c]);
         }
     }
 }
 
 TEST(Renderer, FillsPlanesThatAgreeWithEachOther)
 {
-    const Picture picture;
+    const RenderedPicture picture;
     const Film film = picture.render(everything());
     int hits = 0;
     for (std::size_t i = 0; i < film.item.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(Renderer, FillsPlanesThatAgreeWithEachOther)
 
 TEST(Renderer, CountsTheHitsInsideThePictureWhateverTheTileSize)
 {
-    Picture picture;
+    RenderedPicture picture;
     picture.view.width = 97, picture.view.height = 43; // ends amid blocks
     Settings settings;
     settings.color = false;
@@ -171,7 +171,7 @@ TEST(Renderer, CountsTheHitsInsideThePictureWhateverTheTileSize)
 
 TEST(Renderer, ReusesAFilmForAnotherSize)
 {
-    Picture picture;
+    RenderedPicture picture;
     Renderer renderer(1);
     Film film;
     renderer.render(picture.world, picture.view, everything(), film);
@@ -202,7 +202,7 @@ TEST(Renderer, DrawsAnEmptyWorldAsBackground)
 
 TEST(Renderer, FillsThePlaneOfEveryLightWithOneWhereNothingCastsShadows)
 {
-    Picture picture;
+    RenderedPicture picture;
     picture.world.lights.resize(3);
     Settings settings = everything();
     settings.shadows = Shadows::none;
@@ -222,7 +222,7 @@ TEST(Renderer, FillsThePlaneOfEveryLightWithOneWhereNothingCastsShadows)
 
 TEST(Renderer, RefusesThePlaneOfLightsWithoutAnyOrWithTooMany)
 {
-    Picture picture;
+    RenderedPicture picture;
     Settings settings;
     settings.aovs = {Aov::lit};
     picture.world.lights.clear();
@@ -235,9 +235,9 @@ TEST(Renderer, RefusesThePlaneOfLightsWithoutAnyOrWithTooMany)
     EXPECT_NO_THROW(picture.render(settings));
 }
 
-TEST(Renderer, RefusesALightThatIsNone)
+TEST(Renderer, RefusesAnInvalidLight)
 {
-    Picture picture;
+    RenderedPicture picture;
     picture.world.lights[1].kind = Light::Kind::directional;
     picture.world.lights[1].direction = {0, 0, 0};
     const std::string message = message_of<SceneError>([&] { picture.render({}); });

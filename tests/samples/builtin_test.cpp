@@ -20,7 +20,7 @@ TEST(Torus, Has1024TrianglesAndUnitNormals)
     const Scene scene = make_torus();
     EXPECT_EQ(scene.triangle_count(), 1024u);
     EXPECT_EQ(scene.vertices, 512u);
-    EXPECT_TRUE(scene.camera.has_value());
+    EXPECT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.lights.size(), 1u);
     for (const glm::vec3& n : scene.normal) EXPECT_NEAR(glm::length(n), 1.0f, 1e-6f);
     EXPECT_NO_THROW(check_scene(scene));
@@ -51,7 +51,7 @@ class Wave : public testing::Test {
         std::vector<glm::vec3> position(scene.vertices);
         std::vector<glm::vec3> normal(scene.vertices);
         for (std::size_t first = 0; first < scene.vertices; first += run)
-            scene.parts[0].deform(time_s, first, std::min(scene.vertices, first + run),
+            scene.instances[0].deform(time_s, first, std::min(scene.vertices, first + run),
                 &position[first], &normal[first]);
         return {position, normal};
     }
@@ -121,9 +121,9 @@ TEST(BuiltinRobots, HaveTheCountsTheyPromise)
     const Scene scene = make_robots();
     EXPECT_GE(scene.triangle_count(), 70'000u);
     EXPECT_LE(scene.triangle_count(), 75'000u);
-    EXPECT_EQ(scene.begin_s, 0.0);
-    EXPECT_EQ(scene.end_s, 10.0);
-    EXPECT_GE(scene.camera_track, 0);
+    EXPECT_EQ(scene.begin_s(), 0.0);
+    EXPECT_EQ(scene.end_s(), 10.0);
+    EXPECT_GE(scene.cameras.at(0).node, 0);
     EXPECT_NO_THROW(check_scene(scene));
 }
 
@@ -133,28 +133,28 @@ TEST(BuiltinRobots, AreTheSameEveryTime)
     const Scene b = make_robots();
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.index, b.index);
-    ASSERT_EQ(a.tracks.size(), b.tracks.size());
-    for (std::size_t t = 0; t < a.tracks.size(); ++t)
-        for (std::size_t k = 0; k < a.tracks[t].rotation.size(); ++k)
-            EXPECT_EQ(a.tracks[t].rotation[k].value, b.tracks[t].rotation[k].value);
+    const std::vector<Channel>&channels = a.clips.at(0).channels, &others = b.clips.at(0).channels;
+    ASSERT_EQ(channels.size(), others.size());
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        for (std::size_t k = 0; k < channels[c].tcb.size(); ++k)
+            EXPECT_EQ(channels[c].tcb[k].value, others[c].tcb[k].value);
     EXPECT_TRUE(std::ranges::equal(a.textures[0].texels(), b.textures[0].texels()));
 }
 
 TEST(BuiltinRobots, HaveTracksThatCoverTheWholeTime)
 {
     const Scene scene = make_robots();
-    for (const Track& track : scene.tracks)
-        for (const auto* const keys : {&track.translation, &track.rotation}) {
-            if (keys->empty()) continue;
-            ASSERT_GE(keys->size(), 4u) << track.name;
-            for (std::size_t k = 1; k < keys->size(); ++k)
-                EXPECT_LT((*keys)[k - 1].time_s, (*keys)[k].time_s);
-            // The first and last keys only shape tangents; constant parts may be shorter.
-            const bool constant = keys->front().value == keys->back().value;
-            if (constant) continue;
-            EXPECT_LE((*keys)[1].time_s, scene.begin_s + 1e-9) << track.name;
-            EXPECT_GE((*keys)[keys->size() - 2].time_s, scene.end_s - 1e-9) << track.name;
-        }
+    for (const Channel& channel : scene.clips.at(0).channels) {
+        const std::vector<TcbKey>& keys = channel.tcb;
+        const std::string& name = scene.nodes[channel.node].name;
+        ASSERT_GE(keys.size(), 4u) << name;
+        for (std::size_t k = 1; k < keys.size(); ++k) EXPECT_LT(keys[k - 1].time_s, keys[k].time_s);
+        // The first and last keys only shape tangents; constant properties may be shorter.
+        const bool constant = keys.front().value == keys.back().value;
+        if (constant) continue;
+        EXPECT_LE(keys[1].time_s, scene.begin_s() + 1e-9) << name;
+        EXPECT_GE(keys[keys.size() - 2].time_s, scene.end_s() - 1e-9) << name;
+    }
 }
 
 TEST(BuiltinRobots, AreTriangledWithoutHolesInTheWinding)

@@ -1,4 +1,4 @@
-// noise_texture.h - a texture on which every wrong texel shows.
+// noise_texture.h - a texture of noise, on which reading a wrong texel shows.
 #pragma once
 
 #include <firsthit/texture.h>
@@ -9,7 +9,7 @@
 
 namespace firsthit {
 
-/// Every level has noise of its own, so that a wrong level shows.
+/// Each level has different noise, so that reading a wrong level shows.
 inline Texture noise_texture(int width, int height, unsigned seed = 1)
 {
     std::mt19937 random(seed);

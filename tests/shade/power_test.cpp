@@ -1,4 +1,4 @@
-// power_test.cpp - the powers of src/glsl/power.glsl keep the errors they state.
+// power_test.cpp - the functions of src/glsl/power.glsl are as accurate as they state.
 #include "base/scalar_real.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(SteadyPow, IsWithinItsErrors)
     }
 }
 
-TEST(SteadyPow, KnowsItsEnds)
+TEST(SteadyPow, IsZeroAtZeroAndOneAtOne)
 {
     for (const float exponent : {1e-3f, 0.5f, 1.0f, 77.0f, 1e30f}) {
         EXPECT_EQ(steady_pow(0.0f, exponent), 0.0f);

@@ -1,4 +1,4 @@
-// shade_lights_test.cpp - what lights of every kind add, and how much of them arrives.
+// shade_lights_test.cpp - the light of each kind of light source, with cones and light visibility.
 #include "shade/tile_scene.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,8 @@ struct Occluder : TileScene {
 
 Light spot_above(double angle_rad, double inner_rad, double outer_rad)
 {
-    // At the eye, which looks along -z; its axis misses the wall's middle by the angle.
+    // The light is at the eye, which looks along -z. Its axis misses the wall's middle by the
+    // angle.
     return {.kind = Light::Kind::spot,
         .direction = {std::sin(angle_rad), 0, -std::cos(angle_rad)},
         .inner_rad = inner_rad,

@@ -1,4 +1,4 @@
-// shade_same_bits_test.cpp - every instruction set gives the bits of the plain loop.
+// shade_same_bits_test.cpp - every instruction set gives the same bits as shading sample by sample.
 #include "instruction_sets.h"
 #include "shade/noise_texture.h"
 #include "shade/plain_shade.h"
@@ -13,7 +13,7 @@
 namespace firsthit {
 namespace {
 
-/// color_only: then what the other planes need is left out.
+/// color_only  no other planes are made, so the code skips what only they need
 void expect_same_bits(
     const TileScene& tile, const char* what, const LightVisibility& lit, bool color_only)
 {
@@ -70,7 +70,7 @@ void fill_with_soup(TileScene& tile, std::mt19937& random)
             material.texture = static_cast<std::int32_t>(random() % 3) - 1;
             if (k % 20 == 8)
                 tile.scene.materials.back().model =
-                    Unlit{.color = material.diffuse, .texture = material.texture};
+                    Unlit{.color = material.diffuse, .texture = {.texture = material.texture}};
         }
         const glm::vec3 middle = random_point(random, 6) - glm::vec3(0, 0, 12);
         const auto uv = [&] { return glm::vec2(random_point(random, 3)); };
@@ -82,6 +82,96 @@ void fill_with_soup(TileScene& tile, std::mt19937& random)
     }
     for (int k = 0; k < 3; ++k)
         tile.add_light(glm::dvec3(random_point(random, 20)), glm::abs(random_point(random, 1)));
+}
+
+/// Gives every other material maps of all kinds, and the scene all that they can ask for.
+void add_maps(TileScene& tile, std::mt19937& random)
+{
+    Scene& scene = tile.scene;
+    for (int k = 0; k < 6; ++k) {
+        const int side = k % 2 ? 32 : 19; // several look at the same places of their textures
+        scene.textures.push_back(noise_texture(side, side));
+        scene.textures.back().set_sampler({.wrap_u = Wrap(k / 2), .wrap_v = Wrap((k + 1) / 2 % 3)});
+    }
+    scene.textures[2].set_sampler({.nearest = true});
+    const auto map = [&] {
+        TextureRef made{.texture = int(random() % 9) - 1, .uv_set = int(random() % 2)};
+        if (random() % 2)
+            for (int c = 0; c < 3; ++c) made.transform[c] = glm::vec2(random_point(random, 2));
+        return made;
+    };
+    for (std::size_t m = 0; m < scene.materials.size(); m += 2) {
+        if (m % 4 == 0) {
+            scene.materials[m].model = Unlit{.color = random_point(random, 1), .texture = map()};
+            continue;
+        }
+        const glm::vec3 share = glm::abs(random_point(random, 1));
+        scene.materials[m].model =
+            MetallicRoughness{.base_color = glm::abs(random_point(random, 1)),
+                .metallic = share.x,
+                .roughness = share.y,
+                .emission = glm::abs(random_point(random, 0.5f)),
+                .f0 = glm::abs(random_point(random, 1)),
+                .specular = share.z,
+                .normal_scale = 0.5f + share.x,
+                .occlusion_strength = share.y,
+                .base_color_texture = map(),
+                .metallic_roughness_texture = map(),
+                .normal_texture = map(),
+                .occlusion_texture = map(),
+                .emission_texture = map(),
+                .specular_texture = map()};
+    }
+    for (std::size_t v = 0; v < scene.vertices; ++v) {
+        scene.uv1.push_back(glm::vec2(random_point(random, 2)));
+        scene.color.emplace_back(glm::abs(random_point(random, 1)), 1.0f);
+        tile.world.tangent.emplace_back(
+            glm::normalize(random_point(random, 1)), v / 3 % 2 ? 1.0f : -1.0f);
+    }
+    for (Light& light : tile.world.lights) {
+        light.inverse_square = random() % 2;
+        light.range = double(random() % 3) * 10;
+        light.color *= 100.0f;
+    }
+}
+
+Environment random_environment(std::mt19937& random, bool background)
+{
+    std::vector<glm::vec3> light;
+    for (int k = 0; k < 40 * 20; ++k) light.push_back(glm::abs(random_point(random, 2)));
+    Environment environment;
+    environment.map = std::make_shared<EnvironmentMap>("random", 40, 20, light);
+    environment.rotation_rad = random_point(random, 3).x;
+    environment.strength = std::abs(random_point(random, 2).x);
+    environment.background = background;
+    return environment;
+}
+
+TEST(ShadeSameBits, OfMaterialsWithMaps)
+{
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TileScene tile(32, seed % 2 ? 20.0f : 60.0f);
+        fill_with_soup(tile, random);
+        for (int k = 0; k < 3; ++k) {
+            Light light{.kind = Light::Kind::spot, .position = glm::dvec3(random_point(random, 5))};
+            light.direction = {0, 0, -1};
+            light.outer_rad = 0.5 + 0.3 * k;
+            tile.world.lights.push_back(light);
+        }
+        add_maps(tile, random);
+        if (seed % 2 == 0) tile.scene.environment = random_environment(random, seed == 4);
+        if (seed == 5) tile.scene.uv1.clear();
+        if (seed == 6) tile.scene.uv.clear();
+        tile.cast();
+        ASSERT_GT(tile.runs.size(), 30u);
+        expect_same_bits(tile, "maps");
+        alignas(64) static float lit[6 * 32 * 32];
+        for (float& share : lit) share = std::max(0.0f, random_point(random, 1).x);
+        std::fill_n(lit, 640, 0.0f);
+        expect_same_bits(tile, "maps, in shadow", {lit, 32 * 32});
+    }
 }
 
 TEST(ShadeSameBits, OfRandomTriangles)
@@ -106,7 +196,7 @@ TEST(ShadeSameBits, OfTexturedTrianglesSeenInBlockAfterBlock)
         fill_with_soup(tile, random);
         fill_with_soup(tile, random);
         tile.cast();
-        // More than are looked at together, of fewer triangles.
+        // More runs than are prepared together, with fewer different triangles.
         ASSERT_GT(tile.runs.size(), 200u);
         expect_same_bits(tile, "soup");
     }
@@ -130,7 +220,7 @@ TEST(ShadeSameBits, OfLightsOfEveryKindPartlyInShadow)
             tile.world.lights.push_back(light);
         }
         tile.cast();
-        // Blocks in shadow, blocks without, mixed registers; negative zeros and colours as well.
+        // Blocks in shadow, lit blocks, registers with both; also negative zeros and colours.
         alignas(64) static float lit[24 * 32 * 32];
         for (std::size_t k = 0; k < std::size(lit); ++k) {
             const std::size_t group = k / 16 * 2654435761u >> 7 & 3;
@@ -143,7 +233,8 @@ TEST(ShadeSameBits, OfLightsOfEveryKindPartlyInShadow)
     }
 }
 
-/// A mesh of triangles about as large as samples, whose normals are of any side and length.
+/// A mesh of triangles about as large as samples, whose normals point to any side and have any
+/// length.
 void fill_with_dust(TileScene& tile, std::mt19937& random, float side)
 {
     const auto corner = [&](float x, float y) {
@@ -196,7 +287,7 @@ TEST(ShadeSameBits, OfTexturedTrianglesAsSmallAsSamples)
 
 TEST(ShadeSameBits, OfTheLastVertexOfItsArrays)
 {
-    // A corner is fetched as 16 bytes, of which the last one has but 12.
+    // A corner is loaded as 16 bytes, but the last one of the array has only 12.
     std::mt19937 random(3);
     TileScene tile(16);
     fill_with_dust(tile, random, 0.5f);
@@ -232,9 +323,9 @@ TEST(ShadeSameBits, OfAWorldWithoutNormals)
     expect_same_bits(tile, "no normals");
 }
 
-TEST(ShadeSameBits, OfLightThatIsTooMuchForFloat)
+TEST(ShadeSameBits, OfLightThatOverflowsFloat)
 {
-    // Where no light arrives nothing is added, not even 0 times infinity.
+    // Where no light arrives nothing is added, not even 0 * infinity = NaN.
     TileScene tile(16);
     tile.material().diffuse = glm::vec3(1e30f);
     tile.material().ambient = glm::vec3(-0.0f);

@@ -1,4 +1,4 @@
-// shade_tile_test.cpp - colours and planes that can be said in advance.
+// shade_tile_test.cpp - colours and planes with known results.
 #include "shade/tile_scene.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST(ShadeTile, NormalsThatTurnAwayFromTheEyeAreBentToItsHorizon)
 {
     Ahead ahead;
     ahead.add_wall();
-    // Of the triangle ahead, only the corner nearest to the sample turns away.
+    // Only the normal of the corner nearest to the sample points away from the eye.
     ahead.world.position = {{-1, -1, -10}, {100, -1, -10}, {-1, 100, -10}};
     ahead.world.normal = {glm::normalize(glm::vec3(1, 0, -0.5f)), {0, 0, 1}, {0, 0, 1}};
     ahead.scene.index = {{0, 1, 2}};
@@ -157,7 +157,7 @@ TEST(ShadeTile, TinyAndHugeTrianglesHaveNormals)
 
 TEST(ShadeTile, HighlightsHaveTheExponentAsked)
 {
-    // Light and eye are 2 * 20 degrees apart from where R would meet the eye.
+    // The reflected direction R is 2 * 20 degrees away from the direction to the eye.
     for (const float shininess :
         {0.0f, 0.3f, 1.0f, 2.0f, 7.0f, 10.5f, 64.0f, 65.0f, 200.0f, 1e5f}) {
         Ahead ahead;

@@ -1,4 +1,4 @@
-// texture_test.cpp - texture lookups against a plain one in double precision.
+// texture_test.cpp - compares texture sampling with a simple reference in double precision.
 #include "shade/noise_texture.h"
 #include "shade/tile_scene.h"
 
@@ -9,10 +9,10 @@
 namespace firsthit {
 namespace {
 
-/// Weights are whole numbers of 32767: each of three steps rounds by a half, between black and white.
+/// The largest difference: weights are integers up to 32767, and three roundings of a half add up.
 constexpr double kRounding = 5e-5;
 
-/// Column and row count from the picture's top left, and repeat.
+/// A texel of the picture; column and row are counted from the top left, and repeat.
 glm::dvec3 texel(const Texture& texture, int level, long column, long row)
 {
     const long width = texture.width(level), height = texture.height(level);
@@ -123,7 +123,7 @@ TEST(TextureSampling, TakesTheLevelOfRaysThatAreNotSquareToOneAnother)
 
 TEST(TextureSampling, TakesTheLevelOfAGrazingGroundFromItsSlope)
 {
-    // A ground that runs to the horizon: levels from enlarged to the last one.
+    // A ground that reaches the horizon, so that all levels occur.
     TileScene tile(64, 60);
     tile.scene.textures.push_back(noise_texture(256, 256));
     tile.add_square({-5000, -1, 0.5f}, {10000, 0, 0}, {0, 0, -10000}, 5000);

@@ -1,6 +1,6 @@
-// tile_scene.h - scenes of a few triangles, and the hits of a tile that looks at them.
+// tile_scene.h - scenes of a few triangles, and the hits of one tile.
 //
-// The hits come from a plain double-precision caster, so that shading is tested alone.
+// A simple ray caster in double precision finds the hits, so that only shading is tested.
 #pragma once
 
 #include "hits/hit_tile.h"
@@ -42,7 +42,7 @@ struct TileScene {
             .x0 = first,
             .forward = {0, 0, -1},
             .y0 = first};
-        scene.parts.emplace_back();
+        scene.instances.emplace_back();
         scene.materials.emplace_back();
         scene.background = {0.25f, 0.5f, 0.75f};
     }
@@ -50,17 +50,17 @@ struct TileScene {
 
     Phong& material() { return std::get<Phong>(scene.materials[0].model); }
 
-    /// A new material in a part of its own, for triangles added after this.
+    /// Adds a material and an instance for the triangles that are added after this.
     template <class Model = Phong>
     Model& add_material()
     {
         scene.materials.emplace_back();
-        scene.parts.emplace_back();
-        scene.parts.back().material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+        scene.instances.emplace_back();
+        scene.instances.back().material = static_cast<std::uint32_t>(scene.materials.size() - 1);
         return scene.materials.back().model.emplace<Model>();
     }
 
-    /// A triangle of the newest part; normals are those of its plane unless given later.
+    /// Adds a triangle to the newest instance, with the normals of its plane.
     void add_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec2 uv_a = {},
         glm::vec2 uv_b = {}, glm::vec2 uv_c = {})
     {
@@ -70,7 +70,7 @@ struct TileScene {
         world.normal.insert(world.normal.end(), {n, n, n});
         scene.uv.insert(scene.uv.end(), {uv_a, uv_b, uv_c});
         scene.index.emplace_back(first, first + 1, first + 2);
-        scene.owner.push_back(static_cast<std::uint32_t>(scene.parts.size() - 1));
+        scene.owner.push_back(static_cast<std::uint32_t>(scene.instances.size() - 1));
         scene.vertices = world.position.size();
     }
 
@@ -97,7 +97,7 @@ struct TileScene {
         world.lights.push_back(light);
     }
 
-    /// The direction of sample (x, y), of depth 1.
+    /// The direction of the ray of sample (x, y), with depth 1.
     glm::dvec3 direction(double x, double y) const
     {
         const Rays& rays = hits.rays;
@@ -128,7 +128,7 @@ struct TileScene {
                 const std::size_t at = std::size_t(tile_offset(x, y, hits.size));
                 item[at] = kNoItem;
                 double nearest = std::numeric_limits<double>::infinity();
-                // Samples without a hit hold what would betray whoever uses it.
+                // Samples without a hit get values that would show in the result if they were used.
                 t[at] = u[at] = v[at] = std::numeric_limits<float>::quiet_NaN();
                 for (std::uint32_t triangle = 0; triangle < scene.index.size(); ++triangle) {
                     const glm::dvec3 hit = meet(triangle, x, y);
@@ -162,7 +162,7 @@ struct TileScene {
 
 /// All targets of a tile, with memory.
 struct ShadeMemory {
-    static constexpr int kPlanes = 17;
+    static constexpr int kPlanes = 22;
     static constexpr int kSamples = kMaxTile * kMaxTile;
     std::vector<float> value = std::vector<float>(kPlanes * kSamples + 16, -7.0f);
     ShadeTargets targets;
@@ -171,9 +171,10 @@ struct ShadeMemory {
     {
         float* next = plane(0);
         for (float** list : {targets.color, targets.normal, targets.geometric_normal,
-                 targets.position, targets.albedo})
+                 targets.position, targets.albedo, targets.emission})
             for (int axis = 0; axis < 3; ++axis, next += kSamples) list[axis] = next;
-        for (int axis = 0; axis < 2; ++axis, next += kSamples) targets.uv[axis] = next;
+        for (float** list : {targets.uv, targets.metallic_roughness})
+            for (int axis = 0; axis < 2; ++axis, next += kSamples) list[axis] = next;
     }
     ShadeMemory(const ShadeMemory&) = delete;
 

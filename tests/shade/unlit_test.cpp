@@ -1,4 +1,4 @@
-// unlit_test.cpp - surfaces that show their colour, whatever lights and shadows are.
+// unlit_test.cpp - unlit surfaces show their own colour, independently of lights and shadows.
 #include "instruction_sets.h"
 #include "shade/noise_texture.h"
 #include "shade/tile_scene.h"
@@ -12,12 +12,12 @@
 namespace firsthit {
 namespace {
 
-/// An unlit wall with a texture, half of it behind one that is Phong's, and two lights.
+/// An unlit wall with a texture, half of it behind a wall with Phong shading, and two lights.
 void fill(TileScene& tile)
 {
     tile.scene.textures.push_back(noise_texture(32, 32));
     tile.scene.ambient = {0.5f, 2, 3};
-    tile.add_material<Unlit>() = {.color = {0.3f, 1.7f, 0.9f}, .texture = 0};
+    tile.add_material<Unlit>() = {.color = {0.3f, 1.7f, 0.9f}, .texture = {.texture = 0}};
     tile.add_wall(10, 100, 40);
     tile.add_material();
     tile.add_square({0.3f, -50, -9}, {50, 0, 0}, {0, 100, 0});

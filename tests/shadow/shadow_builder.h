@@ -3,6 +3,8 @@
 
 #include "shadow/shadow_scenes.h"
 
+#include "random_numbers.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,16 +14,6 @@
 #include <vector>
 
 namespace firsthit::test {
-
-inline float uniform(std::mt19937& random, float low, float high)
-{
-    return std::uniform_real_distribution<float>(low, high)(random);
-}
-
-inline int whole(std::mt19937& random, int low, int high)
-{
-    return std::uniform_int_distribution<int>(low, high)(random);
-}
 
 inline glm::vec3 random_point(std::mt19937& random, float half = 1)
 {

@@ -11,14 +11,13 @@ namespace {
 using Samples = std::vector<ListedSample>;
 
 std::vector<std::uint32_t> listed_items(
-    EyeWorld& eye, const World& world, const Samples& samples, int threads = 1)
+    const EyeWorld& eye, const Samples& samples, int threads = 1)
 {
     Tasks tasks(threads);
     LazyMemory memory;
-    eye.memory.index = world.scene->index;
-    std::vector<std::uint32_t> items(samples.size());
-    find_listed_items(eye.memory, samples, memory, items, tasks);
-    return items;
+    const std::span<const std::uint32_t> items =
+        find_listed_items(eye.memory.pencil, eye.memory, {samples}, memory, tasks);
+    return {items.begin(), items.end()};
 }
 
 std::vector<std::uint32_t> brute_items_of(const EyeWorld& eye, const Samples& samples)
@@ -50,8 +49,7 @@ class LazyItems : public testing::TestWithParam<std::size_t> {
             TestWorld world;
             adversarial_scenes()[GetParam()].fill(world, random);
             world.finish();
-            EyeWorld eye(world.world, view);
-            check(world.world, eye, random);
+            check(EyeWorld(world.world, view), random);
         }
     }
 
@@ -60,12 +58,10 @@ class LazyItems : public testing::TestWithParam<std::size_t> {
 
 TEST_P(LazyItems, EqualBruteForce)
 {
-    for_worlds([&](const World& world, EyeWorld& eye, std::mt19937& random) {
+    for_worlds([&](const EyeWorld& eye, std::mt19937& random) {
         for (const std::size_t count : {1u, 20u, 3000u}) { // 3000: nearly all, and many twice
             const Samples samples = random_samples(view, count, random);
-            EXPECT_EQ(
-                differences(listed_items(eye, world, samples), brute_items_of(eye, samples), 1),
-                0u);
+            EXPECT_EQ(differences(listed_items(eye, samples), brute_items_of(eye, samples), 1), 0u);
         }
     });
 }
@@ -116,9 +112,7 @@ TEST(LazyItemsOfAWidePicture, EqualBruteForceForAnyNumberOfThreads)
                   [](std::uint32_t item) { return item != kNoItem; }),
         100);
     for (const int threads : {1, 2, 7})
-        EXPECT_EQ(
-            differences(listed_items(eye, wide.world.world, samples, threads), expected, 1), 0u)
-            << threads;
+        EXPECT_EQ(differences(listed_items(eye, samples, threads), expected, 1), 0u) << threads;
 }
 
 TEST(LazyItemsOfNothing, AreNone)
@@ -126,8 +120,8 @@ TEST(LazyItemsOfNothing, AreNone)
     TestWorld world;
     world.finish();
     EyeWorld eye(world.world, straight_view(9, 9, 9));
-    EXPECT_TRUE(listed_items(eye, world.world, {}).empty());
-    EXPECT_EQ(listed_items(eye, world.world, {{8, 8}}), std::vector<std::uint32_t>{kNoItem});
+    EXPECT_TRUE(listed_items(eye, {}).empty());
+    EXPECT_EQ(listed_items(eye, {{8, 8}}), std::vector<std::uint32_t>{kNoItem});
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // depths within their bound.
 #include "cpu/adversarial_scenes.h"
 #include "items.h"
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
 #include "visibility/raster/raster_tile.h"
 #include "visibility/bin/triangle_box.h"
 
@@ -13,6 +13,23 @@
 namespace firsthit::test {
 namespace {
 
+/// What one worker needs to rasterise tiles of 16 samples.
+struct Raster {
+    TileItems items;
+    RasterScratch scratch{};
+
+    Raster()
+    {
+        resize(items, 16);
+        resize(scratch, 16);
+    }
+
+    void tile(const ViewMemory& view, int number)
+    {
+        raster_tile(view, view.rays(number), bin_of(view, std::size_t(number)), items, scratch);
+    }
+};
+
 /// A world, binned for tiles of 16 samples.
 struct Binned {
     ViewMemory memory;
@@ -22,15 +39,10 @@ struct Binned {
     {
         Tasks tasks(1);
         const View filled = checked(view);
-        memory.pencil = pencil_of(filled, filled.region, 1);
-        memory.tile_size = 16;
-        memory.tiles_x = (memory.pencil.width + 15) / 16;
-        memory.tiles_y = (memory.pencil.height + 15) / 16;
-        memory.tile_of.resize(std::size_t(std::max(memory.pencil.width, memory.pencil.height)));
-        for (std::size_t k = 0; k < memory.tile_of.size(); ++k)
-            memory.tile_of[k] = std::uint8_t(k / 16);
-        project_vertices(world.position, memory, tasks, space);
-        bin_triangles(world.scene->index, memory, tasks, tiny);
+        lay_out(pencil_of(filled, filled.region, 1), 16, memory);
+        take_triangles(*world.scene, memory);
+        project_vertices(world.position, memory.pencil, memory, tasks, space);
+        bin_triangles(memory, memory, memory, tasks, tiny);
     }
 };
 
@@ -68,9 +80,9 @@ TEST(BinTriangles, HoldsEverySampleThatATriangleHits)
                         listed[entry.triangle] = true;
                 }
                 const std::uint32_t* start = &binned.memory.fragment_start[std::size_t(tile)];
-                const int place = tile << 16 | tile_offset(x % 16, y % 16, 16);
+                const int sample = tile << 16 | tile_offset(x % 16, y % 16, 16);
                 for (std::uint32_t f = start[0]; f < start[1]; ++f)
-                    if (int(binned.memory.fragment[f].place) == place)
+                    if (int(binned.memory.fragment[f].sample) == sample)
                         listed[binned.memory.fragment[f].triangle] = true;
                 for (std::size_t t = 0; t < listed.size(); t += 3) // a third is enough
                     EXPECT_TRUE(listed[t] || !is_hit(eye.triangles[t], eye.ray(x, y), effort));
@@ -82,12 +94,12 @@ TEST(BinTriangles, HoldsEverySampleThatATriangleHits)
 /// Items of all tiles, tile by tile.
 std::vector<std::uint32_t> items_of_tiles(const Binned& binned)
 {
-    const auto tile = std::make_unique<ItemTile>();
-    resize(*tile, 16);
+    const auto raster = std::make_unique<Raster>();
     std::vector<std::uint32_t> items;
     for (int number = 0; number < binned.memory.tiles(); ++number) {
-        raster_tile(binned.memory, number, *tile);
-        items.insert(items.end(), tile->item.span().begin(), tile->item.span().end());
+        raster->tile(binned.memory, number);
+        const std::span<const std::uint32_t> item = raster->items.item.span();
+        items.insert(items.end(), item.begin(), item.end());
     }
     return items;
 }
@@ -166,7 +178,7 @@ TEST(BinTriangles, FindsAroundTheEyeWhatEachTrianglesBoxSays)
         for (const TileEntry& entry : binned.memory.entry.span()) found[entry.triangle] = true;
         InView box;
         for (std::uint32_t t = 0; t < boxed.size(); ++t)
-            boxed[t] = box_of(t, binned.memory.index[t], binned.memory, box);
+            boxed[t] = box_of(t, binned.memory, binned.memory.pencil, box);
         EXPECT_EQ(found, boxed);
         EXPECT_GT(std::count(found.begin(), found.end(), true), 500);
         EXPECT_GT(std::count(found.begin(), found.end(), false), 500);
@@ -178,11 +190,10 @@ TEST(RasterTile, StoresDepthsWithinTheirBound)
     const View view = straight_view(kSize, kSize, kSize);
     for_adversarial_worlds([&](const World& world) {
         const Binned binned(world, view);
-        const auto tile_memory = std::make_unique<ItemTile>();
-        ItemTile& tile = *tile_memory;
-        resize(tile, 16);
+        const auto raster = std::make_unique<Raster>();
+        const TileItems& tile = raster->items;
         for (int number = 0; number < binned.memory.tiles(); ++number) {
-            raster_tile(binned.memory, number, tile);
+            raster->tile(binned.memory, number);
             const EyeWorld eye(world, view);
             for (int y = 0; y < 16; ++y) {
                 for (int x = 0; x < 16; ++x) {
@@ -191,7 +202,7 @@ TEST(RasterTile, StoresDepthsWithinTheirBound)
                     const glm::vec3 d = tile.rays.direction(x, y);
                     const double exact = std::min(
                         exact_inverse_depth(eye.triangles[tile.item[at]], d), double(kGreatestW));
-                    EXPECT_LE(std::abs(tile.w[at] - exact), double(kDepthError) * exact);
+                    EXPECT_LE(std::abs(raster->scratch.w[at] - exact), double(kDepthError) * exact);
                 }
             }
         }

@@ -1,12 +1,13 @@
 // bench_command.cpp - `firsthit bench`: how fast, beside the paper's numbers and other ray casters.
 #include "bench/bench_command.h"
 
-#include "bench/machine.h"
-#include "bench/paper.h"
-#include "bench/baseline.h"
-#include "bench/report.h"
+#include "bench/baseline/baseline.h"
+#include "bench/paper/paper.h"
+#include "bench/report/machine.h"
+#include "bench/report/report.h"
 #include "common/interrupt.h"
 #include "common/output.h"
+#include "common/usage.h"
 
 #include <firsthit/file.h>
 

@@ -1,12 +1,14 @@
 // bench_options.cpp - what `firsthit bench` was asked for.
 #include "bench/bench_options.h"
 
+#include "common/add_parsed.h"
 #include "common/usage.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>
 #include <firsthit/scene.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 

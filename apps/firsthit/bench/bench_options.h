@@ -3,10 +3,12 @@
 
 #include "common/parse.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace firsthit::cli::bench {
 

@@ -1,6 +1,9 @@
 // output.cpp - text for the user: results to stdout, warnings to stderr.
 #include "common/output.h"
 
+#include "common/terminal.h"
+#include "common/verbosity.h"
+
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
@@ -17,6 +20,7 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name)
 {
     if (std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0)
         return;
+    if (errno == EPIPE) throw ReaderGone();
     throw FileError(
         fmt::format("{}: cannot write: {}", name, std::generic_category().message(errno)));
 }
@@ -30,8 +34,10 @@ void print(std::string_view text)
 
 void print_warnings(const std::vector<std::string>& warnings)
 {
+    if (verbosity() == Verbosity::quiet) return;
+    const std::string head = in_warning_color("firsthit: warning:");
     for (const std::string& warning : warnings)
-        std::fprintf(stderr, "firsthit: warning: %s\n", warning.c_str());
+        std::fprintf(stderr, "%s %s\n", head.c_str(), warning.c_str());
 }
 
 } // namespace firsthit::cli

@@ -1,6 +1,8 @@
 // parse.cpp - turns words of the command line into values.
 #include "common/parse.h"
 
+#include "common/usage.h"
+
 #include <firsthit/error.h>
 
 #include <fmt/format.h>

@@ -1,12 +1,9 @@
 // parse.h - turns words of the command line into values.
 #pragma once
 
-#include "common/usage.h"
-
 #include <firsthit/film.h>
 #include <firsthit/render.h>
 
-#include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
 
 #include <string>
@@ -49,20 +46,5 @@ Multisample parse_multisample(const std::string& text);
 
 /// A full vertical angle in degrees, above 0 and below 180, as radians.
 double parse_fov(const std::string& text);
-
-/// Adds an option whose text goes through `parse` into `target`; the error names the option.
-template <class Target, class Parse>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name, Target& target, Parse parse,
-    const std::string& type, const std::string& help)
-{
-    const auto store = [&target, parse, name](const std::string& text) {
-        try {
-            target = parse(text);
-        } catch (const UsageError& error) {
-            throw UsageError(name + ": " + error.what());
-        }
-    };
-    return app.add_option_function<std::string>(name, store, help)->type_name(type);
-}
 
 } // namespace firsthit::cli

@@ -1,12 +1,20 @@
 // camera_options.cpp - which eye looks at the scene, and at how many pixels.
 #include "options/camera_options.h"
 
+#include "common/add_parsed.h"
 #include "common/usage.h"
 
 #include <glm/geometric.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace firsthit::cli {
 
@@ -18,12 +26,144 @@ bool parallel(const glm::dvec3& a, const glm::dvec3& b)
     return !(sine > 1e-9);
 }
 
+constexpr auto kViews =
+    std::to_array<std::pair<std::string_view, NamedView>>({{"iso", NamedView::iso},
+        {"front", NamedView::front}, {"back", NamedView::back}, {"left", NamedView::left},
+        {"right", NamedView::right}, {"top", NamedView::top}, {"bottom", NamedView::bottom}});
+
+double parse_zoom(const std::string& text)
+{
+    const double zoom = parse_number(text);
+    if (1e-3 <= zoom && zoom <= 1e3) return zoom;
+    throw UsageError(fmt::format("'{}' is no zoom from 0.001 to 1000", text));
+}
+
+/// Things are so many times as large in the picture.
+void zoom_in(double zoom, Camera& camera)
+{
+    if (zoom == 1) return;
+    camera.fov_y_rad = 2 * std::atan(std::tan(camera.fov_y_rad / 2) / zoom);
+    if (camera.focal) *camera.focal *= zoom;
+}
+
+double parse_pixel_center(const std::string& text)
+{
+    const double center = parse_number(text);
+    if (center == 0 || center == 0.5) return center;
+    throw UsageError(
+        fmt::format("'{}' is no pixel centre: accepted are 0 (as OpenCV) and 0.5", text));
+}
+
+/// The numbers between commas.
+std::vector<double> parse_list(const std::string& text)
+{
+    std::vector<double> numbers;
+    for (std::size_t first = 0;;) {
+        const std::size_t end = std::min(text.find(',', first), text.size());
+        numbers.push_back(parse_number(text.substr(first, end - first)));
+        if (end == text.size()) return numbers;
+        first = end + 1;
+    }
+}
+
+/// The lens of --intrinsics.
+void take_intrinsics(const CameraOptions& options, Camera& camera)
+{
+    if (!options.intrinsics) return;
+    const auto& [fx, fy, cx, cy, skew] = *options.intrinsics;
+    const double shift = 0.5 - options.pixel_center.value_or(0.5);
+    camera.focal = {fx, fy};
+    camera.principal_point = {cx + shift, cy + shift};
+    camera.skew = skew;
+}
+
 } // namespace
+
+Size CameraOptions::pixels(std::size_t number) const
+{
+    if (size) return *size;
+    if (!cameras.empty() && camera(number).width > 0)
+        return {camera(number).width, camera(number).height};
+    return file_size;
+}
+
+std::array<double, 5> parse_intrinsics(const std::string& text)
+{
+    std::vector<double> n;
+    try {
+        n = parse_list(text);
+    } catch (const UsageError&) {
+        n.clear(); // said below
+    }
+    if ((n.size() == 4 || n.size() == 5) && n[0] > 0 && n[1] > 0)
+        return {n[0], n[1], n[2], n[3], n.size() == 5 ? n[4] : 0.0};
+    throw UsageError(
+        fmt::format("'{}' are no intrinsics: accepted are fx,fy,cx,cy[,skew] in pixels, fx and fy "
+                    "above 0, as 800,800,320,240",
+            text));
+}
+
+Region parse_region(const std::string& text)
+{
+    constexpr double kMost = 65536;
+    std::vector<double> n;
+    try {
+        n = parse_list(text);
+    } catch (const UsageError&) {
+        n.clear(); // said below
+    }
+    const auto whole = [&](double v, double least) {
+        return v == std::floor(v) && least <= v && v <= kMost;
+    };
+    if (n.size() == 4 && whole(n[0], 0) && whole(n[1], 0) && whole(n[2], 1) && whole(n[3], 1))
+        return {int(n[0]), int(n[1]), int(n[2]), int(n[3])};
+    throw UsageError(
+        fmt::format("'{}' is no region: accepted is x,y,width,height in whole pixels from the "
+                    "picture's top left, as 0,0,320,240",
+            text));
+}
+
+glm::dvec3 usual_up_axis(const std::string& scene)
+{
+    std::string ending = std::filesystem::path(scene).extension().string();
+    for (char& c : ending)
+        if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const bool z_up = ending == ".stl" || ending == ".ply" || ending == ".3mf";
+    return z_up ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+}
+
+NamedView parse_view(const std::string& text)
+{
+    for (const auto& [name, view] : kViews)
+        if (text == name) return view;
+    throw UsageError(fmt::format(
+        "'{}' is no view: accepted are iso, front, back, left, right, top and bottom", text));
+}
+
+glm::dvec3 parse_axis(const std::string& text)
+{
+    const bool negative = !text.empty() && text[0] == '-';
+    const std::string_view name = std::string_view(text).substr(negative ? 1 : 0);
+    const double sign = negative ? -1 : 1;
+    if (name == "x") return {sign, 0, 0};
+    if (name == "y") return {0, sign, 0};
+    if (name == "z") return {0, 0, sign};
+    throw UsageError(fmt::format("'{}' is no axis: accepted are x, y, z, -x, -y and -z", text));
+}
 
 void add_camera_options(CLI::App& app, CameraOptions& options)
 {
     add_parsed(app, "--size", options.size, parse_size, "WxH",
-        "Pixels, each side 1 to 65536; default 1024x1024");
+        "Pixels, each side 1 to 65536; default what the file asks for (AFF, NFF), or 1024x1024");
+    add_parsed(app, "--view", options.view, parse_view, "NAME",
+        "iso, front, back, left, right, top or bottom: all of the scene from there; default the "
+        "scene's camera, or iso where it has none");
+    add_parsed(app, "--zoom", options.zoom, parse_zoom, "X",
+        "How many times as large things are in the picture, 0.001 to 1000; default 1");
+    add_parsed(app, "--up-axis", options.up_axis, parse_axis, "AXIS",
+        "What is up in the file: x, y, z, -x, -y or -z; default z for .stl, .ply and .3mf where "
+        "the model does not "
+        "rest on a flat bottom along y, else y");
     add_parsed(app, "--eye", options.eye, parse_vector, "x,y,z",
         "Where the eye is. Without --at, the scene's own camera moves without turning; a scene "
         "without a camera is looked at in its middle");
@@ -32,6 +172,18 @@ void add_camera_options(CLI::App& app, CameraOptions& options)
         "What is up in the picture; default the camera's, or 0,0,-1 when it looks along that");
     add_parsed(app, "--fov", options.fov_y_rad, parse_fov, "DEG",
         "Full vertical angle, above 0 and below 180");
+    add_parsed(app, "--intrinsics", options.intrinsics, parse_intrinsics, "fx,fy,cx,cy[,skew]",
+        "The lens of a calibrated camera, in pixels of the picture");
+    add_parsed(app, "--pixel-center", options.pixel_center, parse_pixel_center, "0|0.5",
+        "Where --intrinsics or a camera's file has the centre of pixel (0, 0); default 0.5, of "
+        "files as "
+        "they say");
+}
+
+void take_size(const Scene& scene, CameraOptions& options)
+{
+    if (scene.picture_size != glm::ivec2(0))
+        options.file_size = {scene.picture_size.x, scene.picture_size.y};
 }
 
 Camera override_camera(
@@ -57,18 +209,45 @@ Camera override_camera(
     return result;
 }
 
-View ViewMaker::view(const World& world)
+/// The camera of --view, or of a scene that has none.
+void ViewMaker::frame(const World& world)
 {
-    const bool own = world.scene->camera || world.scene->camera_track >= 0;
-    if (!own && !framing_) {
-        framing_ = framing_camera(world);
-        const std::array<glm::vec3, 2> box = bounds(world);
-        middle_ = (glm::dvec3(box[0]) + glm::dvec3(box[1])) * 0.5;
+    const std::array<glm::vec3, 2> box = bounds(world);
+    middle_ = (glm::dvec3(box[0]) + glm::dvec3(box[1])) * 0.5;
+    if (!options_.up_axis && up_axis_.z > 0) up_axis_ = upward_axis(world, up_axis_);
+    if (!options_.view && !world.scene->cameras.empty()) return;
+    Framing framing = named_view(options_.view.value_or(NamedView::iso), up_axis_);
+    framing.aspect = static_cast<double>(options_.pixels().width) / options_.pixels().height;
+    if (options_.intrinsics) {
+        const auto& [fx, fy, cx, cy, skew] = *options_.intrinsics;
+        framing.fov_y_rad = 2 * std::atan(0.5 * options_.pixels().height / fy);
+        framing.aspect *= fy / fx;
     }
+    framing.all_around = options_.turntable > 0;
+    framing_ = framing_camera(world, framing);
+}
+
+View ViewMaker::view(World& world, std::size_t number)
+{
+    if (!middle_) frame(world);
     View view;
-    view.camera = override_camera(own ? world.camera : *framing_, options_, middle_);
-    view.width = options_.size.width;
-    view.height = options_.size.height;
+    const Size size = options_.pixels(number);
+    if (!options_.cameras.empty())
+        view.camera = resized_camera(options_.camera(number), size.width, size.height);
+    else if (options_.path)
+        view.camera = camera_at(*options_.path, world.time_s);
+    else
+        view.camera = override_camera(framing_ ? *framing_ : world.camera, options_,
+            framing_ ? middle_ : std::optional<glm::dvec3>());
+    take_intrinsics(options_, view.camera);
+    zoom_in(options_.zoom, view.camera);
+    if (options_.turntable > 0)
+        view.camera = turned_camera(view.camera, *middle_, up_axis_,
+            2 * std::numbers::pi * static_cast<double>(number) / options_.turntable);
+    view.width = size.width;
+    view.height = size.height;
+    view.region = options_.region;
+    hang_lights(view.camera, world);
     return view;
 }
 

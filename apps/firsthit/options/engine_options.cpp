@@ -1,9 +1,11 @@
 // engine_options.cpp - which engine makes a picture, and how.
 #include "options/engine_options.h"
 
+#include "common/add_parsed.h"
 #include "common/parse.h"
 #include "common/usage.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>

@@ -3,9 +3,11 @@
 
 #include <firsthit/render.h>
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace firsthit::cli {
 

@@ -1,85 +1,14 @@
 // light_options.cpp - which lights shine on the scene, and how their shadows are found.
 #include "options/light_options.h"
 
+#include "common/add_parsed.h"
 #include "common/parse.h"
 #include "common/usage.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <glm/common.hpp>
-
-#include <algorithm>
-#include <string_view>
 
 namespace firsthit::cli {
-
-namespace {
-
-constexpr double kHalfRadians = 3.14159265358979323846 / 360; // half an angle in degrees
-
-constexpr const char* kAccepted =
-    "accepted are point:x,y,z, spot:x,y,z,dx,dy,dz,DEG[,INNER] and directional:dx,dy,dz, as "
-    "point:0,5,0 or spot:0,5,0,0,-1,0,40,30";
-
-struct Words {
-    std::string_view kind;
-    std::vector<double> number;
-};
-
-Words words_of(const std::string& text)
-{
-    Words words;
-    const std::size_t colon = text.find(':');
-    words.kind = std::string_view(text).substr(0, colon);
-    if (colon == std::string::npos) return words;
-    std::size_t first = colon + 1;
-    for (;;) {
-        const std::size_t end = std::min(text.find(',', first), text.size());
-        words.number.push_back(parse_number(text.substr(first, end - first)));
-        if (end == text.size()) return words;
-        first = end + 1;
-    }
-}
-
-glm::dvec3 direction_of(const std::string& text, const glm::dvec3& v)
-{
-    const glm::dvec3 size = glm::abs(v);
-    const double largest = std::max({size.x, size.y, size.z});
-    if (1e-100 <= largest && largest <= 1e100) return v;
-    throw UsageError(fmt::format(
-        "'{}' has no direction: accepted is a length above 1e-100 and below 1e100", text));
-}
-
-Light spot_of(const std::string& text, const std::vector<double>& number)
-{
-    Light light{.kind = Light::Kind::spot, .position = {number[0], number[1], number[2]}};
-    light.direction = direction_of(text, {number[3], number[4], number[5]});
-    const double degrees = number[6], inner = number.size() > 7 ? number[7] : 0;
-    light.outer_rad = degrees * kHalfRadians;
-    light.inner_rad = inner * kHalfRadians;
-    if (!(0 < degrees && degrees < 180 && light.outer_rad > 0))
-        throw UsageError(
-            fmt::format("'{}': {} is no angle above 0 and below 180 degrees", text, degrees));
-    if (!(0 <= inner && inner <= degrees))
-        throw UsageError(fmt::format(
-            "'{}': the inner angle is {}: accepted are 0 to {} degrees", text, inner, degrees));
-    return light;
-}
-
-} // namespace
-
-Light parse_light(const std::string& text)
-{
-    const Words words = words_of(text);
-    const std::vector<double>& number = words.number;
-    if (words.kind == "point" && number.size() == 3)
-        return {.position = {number[0], number[1], number[2]}};
-    if (words.kind == "directional" && number.size() == 3)
-        return {.kind = Light::Kind::directional,
-            .direction = direction_of(text, {number[0], number[1], number[2]})};
-    if (words.kind == "spot" && (number.size() == 7 || number.size() == 8))
-        return spot_of(text, number);
-    throw UsageError(fmt::format("'{}' is no light: {}", text, kAccepted));
-}
 
 Shadows parse_shadows(const std::string& text)
 {
@@ -97,15 +26,19 @@ void add_light_options(CLI::App& app, LightOptions& options)
            [&options](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) {
                    try {
+                       if (is_sun(text)) options.suns.push_back(options.lights.size());
                        options.lights.push_back(parse_light(text));
                    } catch (const UsageError& error) {
                        throw UsageError(std::string("--light: ") + error.what());
                    }
                }
            },
-           "A white light instead of the scene's; may be repeated: point:x,y,z or "
+           "A light instead of the scene's; may be repeated: point:x,y,z or "
            "spot:x,y,z,dx,dy,dz,DEG[,INNER] (full angles of the cone and of its evenly lit middle) "
-           "or directional:dx,dy,dz (the way the light goes)")
+           "or directional:dx,dy,dz (the way the light goes) or sun:LAT,LON,TIME (as "
+           "sun:52.5,13.4,2026-06-21T14:00+02:00), then ,color=r,g,b ,intensity=I "
+           ",falloff=none|square "
+           ",north=DEG of a sun; camera: before it hangs it on the camera")
         ->type_name("LIGHT")
         ->allow_extra_args(false);
     add_parsed(app, "--shadows", options.shadows, parse_shadows, "none|map|exact",
@@ -140,6 +73,13 @@ void check(const LightOptions& options, Engine engine)
                        : options.shadow_filter ? "--shadow-filter"
                                                : nullptr;
     if (name) throw UsageError(fmt::format("{} is of shadow maps: say --shadows map too", name));
+}
+
+void turn_suns(const glm::dvec3& up_axis, LightOptions& options)
+{
+    for (const std::size_t k : options.suns)
+        options.lights[k].direction = turned_up(options.lights[k].direction, up_axis);
+    options.suns.clear();
 }
 
 void apply(const LightOptions& options, Scene& scene)

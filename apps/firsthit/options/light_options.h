@@ -1,28 +1,30 @@
 // light_options.h - which lights shine on the scene, and how their shadows are found.
 #pragma once
 
+#include "options/parse_light.h"
+
 #include <firsthit/render.h>
 #include <firsthit/scene.h>
 
-#include <CLI/CLI.hpp>
-
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace firsthit::cli {
 
 struct LightOptions {
-    std::vector<Light> lights; // empty: the scene's own
+    std::vector<Light> lights;     // empty: the scene's own
+    std::vector<std::size_t> suns; // of these, the ones that were given for a world with y up
     Shadows shadows = Shadows::automatic;
     std::optional<int> shadow_map_size;
     std::optional<double> shadow_bias;
     std::optional<int> shadow_filter;
 };
-
-/// "point:x,y,z", "spot:x,y,z,dx,dy,dz,DEG[,INNER]" or "directional:dx,dy,dz"; angles are full.
-/// throws  UsageError: the text and what is accepted
-Light parse_light(const std::string& text);
 
 /// "none", "map" or "exact". throws  UsageError
 Shadows parse_shadows(const std::string& text);
@@ -32,6 +34,9 @@ void add_light_options(CLI::App& app, LightOptions& options);
 
 /// throws  UsageError: an option of shadow maps where the engine will not make them
 void check(const LightOptions& options, Engine engine = Engine::cpu);
+
+/// Turns the suns into a world with another axis up; once.
+void turn_suns(const glm::dvec3& up_axis, LightOptions& options);
 
 /// Replaces the scene's lights where some were given.
 void apply(const LightOptions& options, Scene& scene);

@@ -2,19 +2,26 @@
 #pragma once
 
 #include "options/camera_options.h"
+#include "options/data_options.h"
 #include "options/engine_options.h"
+#include "options/environment_options.h"
+#include "options/frame_choice.h"
 #include "options/light_options.h"
+#include "options/picture_options.h"
 #include "common/parse.h"
 #include "options/scene_options.h"
+#include "options/sky_options.h"
 
 #include <firsthit/render.h>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace firsthit::cli {
 
@@ -22,12 +29,17 @@ struct RenderOptions {
     SceneOptions scene;
     CameraOptions camera;
     LightOptions light;
+    EnvironmentOptions environment;
+    SkyOptions sky;
     EngineOptions engine;
-    std::string output; // empty: no picture
+    PictureChoices picture;
+    std::vector<std::string> files; // that options name and that were read
+    std::string output;             // empty: no picture; "-": standard output
     std::vector<AovOutput> aovs;
-    std::optional<double> time_s; // none: the scene's begin
-    std::vector<double> frames;   // times; empty: one picture at time_s
-    int samples = 1;
+    DataOptions data;
+    FrameChoice frames;          // none chosen: one picture, or of a film the whole clip
+    std::optional<int> samples;  // N x N everywhere; none: see adaptive
+    std::optional<int> adaptive; // N x N where there are edges; none: adaptive_samples
     int threads = 0;
     int tile_size = 64;
     bool stats = false;
@@ -36,10 +48,14 @@ struct RenderOptions {
 
 void add_render_options(CLI::App& app, RenderOptions& options);
 
+/// Reads the files that options name: those of cameras. Before check.
+/// throws  as take_cameras; UsageError: as many times of --frames as cameras are accepted, or one camera
+void read_files(RenderOptions& options);
+
 /// Finds what cannot work before the scene is loaded.
 /// throws  UsageError: nothing is asked for, an ending, a pattern of frames, a file named twice, an
-///         option of shadow maps without them, --interleave and --samples together, exact shadows of
-///         the gpu engine
+///         option of shadow maps without them, two of --interleave, --samples and --aa, exact
+///         shadows or --aa of the gpu engine
 ///         FileError: a folder is missing or may not be written
 ///         DeviceError: the film is larger than the machine's memory
 void check(const RenderOptions& options);
@@ -51,11 +67,28 @@ void check_inputs_stay(const RenderOptions& options, const Scene& scene);
 /// The name of a file for one frame: numbered where there are several.
 std::string file_name(const RenderOptions& options, const std::string& text, int frame);
 
+/// Whether there is more than one frame: --frames, --turntable, or a film.
+bool is_numbered(const RenderOptions& options);
+
+/// Whether the picture is a film.
+bool is_film(const RenderOptions& options);
+
+/// The frames of a scene, also those of a turntable, which all show one time.
+/// pose  of the chosen clip, at its begin
+Frames frames_of(const RenderOptions& options, const Scene& scene, const PoseSettings& pose);
+
+/// The planes' files and the picture's, as they were typed.
+std::vector<std::string> outputs(const RenderOptions& options);
+
 /// What a film of these options and so many lights takes.
 std::uint64_t film_bytes(const RenderOptions& options, std::size_t lights);
 
 /// throws  DeviceError: that is more than the machine's memory
 void check_memory(const RenderOptions& options, std::size_t lights);
+
+/// Settings::adaptive: what was asked for, else 4 for a picture of one ray a pixel by an engine that
+/// knows it, but for --draft, else 1.
+int adaptive_samples(const RenderOptions& options);
 
 /// What the renderer is told.
 Settings render_settings(const RenderOptions& options);

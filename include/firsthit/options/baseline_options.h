@@ -1,4 +1,4 @@
-// baseline_options.h - how the ray tracer with a tree is run, and what it reports.
+// baseline_options.h - options and statistics of the Embree baseline.
 #pragma once
 
 #include <array>
@@ -7,24 +7,24 @@
 
 namespace firsthit {
 
-/// How Embree's tree follows a scene. Where nothing has moved since the frame before, the tree stays as
-/// it is.
+/// How Embree's tree is updated for a frame. If nothing has moved since the last frame, the tree is
+/// not changed.
 enum class BaselineUpdate {
-    refit_parts,    // a tree for each part, refitted where it has moved, and one over all parts
-    refit,          // one tree of medium quality, its boxes refitted
-    rebuild_low,    // one tree, built anew: quickly, along a curve (RTC_BUILD_QUALITY_LOW)
-    rebuild_medium, // one tree, built anew (RTC_BUILD_QUALITY_MEDIUM)
-    rebuild_high,   // one tree with spatial splits, for scenes that stand still
+    refit_instances, // a tree for each scene instance, refitted if it has moved, and one over all instances
+    refit,           // one tree of medium quality, refitted
+    rebuild_low,    // one tree, rebuilt quickly along a Morton curve (RTC_BUILD_QUALITY_LOW)
+    rebuild_medium, // one tree, rebuilt (RTC_BUILD_QUALITY_MEDIUM)
+    rebuild_high,   // one tree with spatial splits, rebuilt; for scenes that do not move
 };
-inline constexpr std::array<BaselineUpdate, 5> kBaselineUpdates{BaselineUpdate::refit_parts,
+inline constexpr std::array<BaselineUpdate, 5> kBaselineUpdates{BaselineUpdate::refit_instances,
     BaselineUpdate::refit, BaselineUpdate::rebuild_low, BaselineUpdate::rebuild_medium,
     BaselineUpdate::rebuild_high};
 
-/// "refit-parts", ...
+/// "refit-instances", ...
 std::string_view baseline_update_name(BaselineUpdate update);
 
-/// Where a frame's time went, milliseconds. Primary, shadow and shade run tile by tile on all threads:
-/// their sum over the threads, divided by the number of threads.
+/// Times, in milliseconds, and counts of a frame. The stages primary, shadow and shade run tile by
+/// tile on all threads: their times are sums over all threads, divided by the number of threads.
 struct BaselineStats {
     double pose_ms = 0;
     double update_ms = 0;  // of the tree

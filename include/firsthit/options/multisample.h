@@ -3,15 +3,16 @@
 
 namespace firsthit {
 
-/// What the OpenGL engines do where the triangle that the item buffer names is not hit (section
-/// 4.1). The cpu engine's item buffer names the triangle that is hit: it has nothing to repair.
+/// Item repair: what the OpenGL engines do if a ray does not hit the triangle that the item buffer
+/// names (Robert and Schoepke 2006, section 4.1). The cpu engine's items are exact and need no
+/// repair.
 enum class Multisample {
-    none,  // nothing
-    lazy3, // try the triangles of the 3 x 3 neighbourhood
-    lazy5, // of 5 x 5
-    full3, // try those of 3 x 3 at every pixel, the nearest hit wins
-    full5, // of 5 x 5
-    exact, // find the pixels that are not certain and decide them exactly: the cpu engine's items
+    none,  // no repair
+    lazy3, // after a miss, test the items of the 3 x 3 pixels around; the nearest hit wins
+    lazy5, // the same with 5 x 5 pixels
+    full3, // for every pixel, test the items of the 3 x 3 pixels around; the nearest hit wins
+    full5, // the same with 5 x 5 pixels
+    exact, // decide uncertain pixels exactly on the CPU: the items are those of the cpu engine
 };
 
 } // namespace firsthit

@@ -1,39 +1,39 @@
-// opengl_options.h - what is done by OpenGL, and how.
+// opengl_options.h - options of the OpenGL engines. Sections refer to Robert and Schoepke 2006.
 #pragma once
 
 namespace firsthit {
 
-/// How triangle ids are written by OpenGL.
+/// The format in which OpenGL draws triangle ids.
 enum class ItemFormat {
-    r32ui, // an integer for each pixel
+    r32ui, // integers: at most 2^32 - 1 triangles
     rgb8,  // colours: at most 2^24 - 1 triangles
     rgba8, // colours: at most 2^32 - 1 triangles
 };
 
-/// The depth buffer of the item buffer on OpenGL.
+/// The depth buffer that OpenGL uses to draw items.
 enum class DepthFormat {
-    float32, // reversed: 1 / z, no far plane
-    fixed24, // between planes that are fitted to the scene
+    float32, // reversed float depth, 1 / z, without near and far planes
+    fixed24, // 24-bit integers between near and far planes that are fitted to the scene
 };
 
-/// How items come from OpenGL to the hybrid engine's rays.
+/// How the hybrid engine transfers items from OpenGL to host memory.
 enum class Readback {
-    sync,  // the picture at once; nothing else happens meanwhile
-    async, // in chunks through pixel buffer objects; rays start with the first chunk
+    sync,  // the whole picture at once, while the CPU waits
+    async, // in chunks through pixel buffer objects; the CPU starts with the first chunk
 };
 
-/// How the gpu engine shades.
+/// The shading passes of the gpu engine.
 enum class GpuPasses {
     single, // one pass over all pixels (section 4.2.1)
-    multi,  // pixels without an item are masked by depth; then intersection, then shading (4.2.2)
+    multi,  // masks pixels without an item by depth, then intersects, then shades (4.2.2)
 };
 
-/// What is done by OpenGL, and how.
+/// Options of the OpenGL engines.
 struct OpenGlSettings {
     ItemFormat item_format = ItemFormat::r32ui;
     DepthFormat depth_format = DepthFormat::float32;
     Readback readback = Readback::async;
-    int readback_chunks = 8; // of the picture, 1 to 64
+    int readback_chunks = 8; // number of chunks for Readback::async, 1 to 64
     GpuPasses passes = GpuPasses::single;
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kMajor = 4, kMinor = 5;
 
-/// libepoxy ends the process where a library is missing: look first.
+/// Checks that the libraries exist. libepoxy would end the process if one is missing.
 void find_libraries()
 {
     const auto is_there = [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; };
@@ -34,7 +34,7 @@ void find_libraries()
                           "libgl1)");
 }
 
-/// Whether a list of names that are separated by spaces has one.
+/// Whether a list of names, separated by spaces, contains a name.
 bool has_word(const char* words, std::string_view word)
 {
     std::string_view rest = words ? words : "";
@@ -46,7 +46,7 @@ bool has_word(const char* words, std::string_view word)
     return false;
 }
 
-/// Displays of the devices that are no software renderers.
+/// The displays of all devices that are not software renderers.
 std::vector<EGLDisplay> device_displays(const char* client)
 {
     std::vector<EGLDisplay> displays;
@@ -76,7 +76,9 @@ std::string text_of(GLenum name)
     return text ? text : "?";
 }
 
-/// version 0: whatever the driver gives.
+/// Creates a context; returns EGL_NO_CONTEXT on failure.
+/// version  true: OpenGL 4.5 core; false: any version that the driver offers
+/// resets   request notification of resets
 EGLContext create(EGLDisplay display, EGLConfig config, bool version, bool resets)
 {
     std::vector<EGLint> attributes;
@@ -90,7 +92,7 @@ EGLContext create(EGLDisplay display, EGLConfig config, bool version, bool reset
     return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
 
-/// What OpenGL a display has that does not have enough: for the message.
+/// For the error message: the version of OpenGL on a display that does not support 4.5.
 std::string found_instead(EGLDisplay display, EGLConfig config)
 {
     std::string found;
@@ -122,12 +124,14 @@ ContextInfo read_info(const char* platform, bool resets)
     return info;
 }
 
-/// Software drivers allocate and free tens of megabytes a frame. glibc gives such memory back at
-/// once and has its pages made anew (4.5 of 15 ms for 73,292 triangles at 1024x1024), unless it has
-/// seen a block of that size come and go.
+/// Makes glibc keep large blocks that are freed. Software drivers allocate and free tens of
+/// megabytes in each frame. By default glibc returns such blocks to the system, which then has to
+/// make their pages again (4.5 of 15 ms for 73,292 triangles at 1024x1024). Once a block of that
+/// size was allocated and freed, glibc keeps blocks of up to its size.
 void keep_freed_memory()
 {
-    void* volatile block = std::malloc(std::size_t(30) << 20); // glibc learns up to 32 MiB
+    // glibc raises its threshold to at most 32 MiB.
+    void* volatile block = std::malloc(std::size_t(30) << 20);
     std::free(block);
 }
 
@@ -167,7 +171,7 @@ void refuse_after_fork()
 Context::Context()
 {
     find_libraries();
-    static const HomeProcess first; // EGL has one display for the whole process
+    static const HomeProcess first; // EGL's displays belong to the process that first used them
     if (!first.is_this()) refuse_after_fork();
     const char* const client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has_word(client, "EGL_EXT_platform_base"))
@@ -237,7 +241,7 @@ Context::~Context()
 
 Current::Current(const Context& context) : display_(context.display_), old_api_(eglQueryAPI())
 {
-    eglBindAPI(EGL_OPENGL_API); // of this thread
+    eglBindAPI(EGL_OPENGL_API); // the API is a state of the thread
     old_context_ = eglGetCurrentContext();
     if (old_context_ != context.context_) {
         old_display_ = eglGetCurrentDisplay();

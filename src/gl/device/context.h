@@ -1,4 +1,4 @@
-// context.h - OpenGL 4.5 core without a display.
+// context.h - an OpenGL 4.5 core context without a window.
 #pragma once
 
 #include <cstdint>
@@ -6,29 +6,31 @@
 
 namespace firsthit::gl {
 
-/// Who draws, and how much it takes.
+/// The driver of a context, and its limits.
 struct ContextInfo {
     std::string vendor;
     std::string renderer;
     std::string version;
-    std::string platform; // "device" or "surfaceless"
-    bool hardware = false;
-    bool reports_resets = false;
+    std::string platform;               // "device" or "surfaceless"
+    bool hardware = false;              // not a known software renderer
+    bool reports_resets = false;        // check() notices a reset of the GPU
     int max_texture_size = 0;           // texels on a side
-    std::int64_t max_storage_bytes = 0; // of one shader storage block
+    std::int64_t max_storage_bytes = 0; // largest shader storage block
 };
 
-/// Whether a renderer's name is not one of the known software drivers'.
+/// Whether a renderer is hardware: its name is not that of a known software driver.
 bool is_hardware_renderer(const std::string& renderer);
 
-/// A context through EGL, core profile, with notification of resets where there is any. No window,
-/// no surface: who draws has framebuffer objects. Current on one thread at a time, see Current.
+/// A core profile context, made through EGL, with notification of resets if the driver supports it.
+/// It has no window and no surface: drawing needs framebuffer objects. It can be current on one
+/// thread at a time, see Current.
 ///
-/// Takes the first device that has a hardware renderer; else Mesa's surfaceless platform.
+/// Uses the first device with a hardware renderer. If there is none, uses Mesa's surfaceless
+/// platform.
 class Context {
   public:
-    /// throws  DeviceError: no EGL, no platform, no OpenGL 4.5; names driver and version. Also in a
-    ///         child after fork() whose parent had a context
+    /// throws  DeviceError: no EGL, no platform, no OpenGL 4.5 (the message names driver and
+    ///         version); or this is a child process after fork(), and its parent had a context
     Context();
     ~Context();
     Context(const Context&) = delete;
@@ -41,17 +43,20 @@ class Context {
     friend class Current;
     bool open(void* display, const char* platform);
 
-    void* display_ = nullptr; // EGLDisplay; never terminated: the process has one for all contexts
+    // EGLDisplay; never terminated, because all contexts of the process share it.
+    void* display_ = nullptr;
     void* context_ = nullptr; // EGLContext
     ContextInfo info_;
-    std::string refusal_; // why the last display was not taken
+    std::string refusal_; // why the last display could not be used
 };
 
-/// Drivers keep threads and locks that a child after fork() lacks.
+/// Reports the use of OpenGL in a child process. Drivers have threads, which do not exist after
+/// fork().
 /// throws  DeviceError, always
 [[noreturn]] void refuse_after_fork();
 
-/// While it lives, the context is current on this thread; then what was current before is again.
+/// While it exists, the context is current on this thread. Its destructor makes current what was
+/// before.
 class Current {
   public:
     /// throws  DeviceError: the context is current on another thread
@@ -62,7 +67,7 @@ class Current {
 
   private:
     bool changed_ = false;
-    void* display_ = nullptr; // ours, to let go
+    void* display_ = nullptr; // of our context, to release it
     void* old_display_ = nullptr;
     void* old_context_ = nullptr;
     void* old_draw_ = nullptr;
@@ -70,11 +75,12 @@ class Current {
     unsigned old_api_ = 0;
 };
 
-/// "llvmpipe (...), OpenGL 4.5 (Core Profile) Mesa ...": of the current context, for messages.
+/// Renderer and version of the current context, for messages: "llvmpipe (...), OpenGL 4.5 (Core
+/// Profile) Mesa ...".
 std::string driver_name();
 
-/// Looks whether the current context is well; call it after allocating, and once a frame.
-/// what    is being done, for the message: "drawing items"
+/// Checks the current context for errors. To be called after allocations, and once in each frame.
+/// what    what was being done, for the message: "drawing items"
 /// throws  DeviceError: the context is lost, no memory is left, or a call was refused
 void check(const char* what);
 

@@ -1,4 +1,4 @@
-// job_thread.cpp - a thread that waits for one job at a time.
+// job_thread.cpp - a thread that runs one job at a time.
 #include "gl/device/job_thread.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// job_thread.h - a thread that waits for one job at a time.
+// job_thread.h - a thread that runs one job at a time.
 #pragma once
 
 #include <condition_variable>
@@ -8,7 +8,7 @@
 
 namespace firsthit::gl {
 
-/// For what the driver does slowly while the caller has other work.
+/// Runs jobs in the background, such as calls of a slow driver, while the caller does other work.
 class JobThread {
   public:
     JobThread();
@@ -18,7 +18,7 @@ class JobThread {
 
     /// Starts a job, which must not throw, after waiting for the last one.
     void start(std::function<void()> job);
-    /// Until no job is running.
+    /// Waits until no job is running.
     void wait();
 
   private:
@@ -26,9 +26,9 @@ class JobThread {
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::function<void()> job_; // empty: none is running
+    std::function<void()> job_; // empty: no job is running
     bool ends_ = false;
-    std::thread thread_; // last, so that it finds all else made
+    std::thread thread_; // last, because it uses the other members
 };
 
 } // namespace firsthit::gl

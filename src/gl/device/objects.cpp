@@ -1,4 +1,4 @@
-// objects.cpp - owners of OpenGL objects: made when first sized, deleted in time, counted.
+// objects.cpp - classes that own OpenGL objects.
 #include "gl/device/objects.h"
 
 #include "base/fresh_memory.h"
@@ -14,7 +14,7 @@
 namespace firsthit::gl {
 namespace {
 
-/// Across contexts and threads: the only thing that can tell of leaks.
+/// Objects that exist, of all contexts and threads. Tests find leaks by it.
 std::atomic<std::int64_t> alive{0};
 
 GLuint counted(GLuint name)
@@ -25,7 +25,7 @@ GLuint counted(GLuint name)
 
 constexpr GLuint64 kLongestWait_ns = 60'000'000'000;
 
-/// As fill_fresh (base/fresh_memory.h), but random bits are the same in all elements.
+/// Like fill_fresh (base/fresh_memory.h), but random fills repeat the same bits in all elements.
 void fill_fresh_buffer(GLuint name, std::size_t bytes)
 {
     const FreshFill fill = fresh_fill.load(std::memory_order_relaxed);

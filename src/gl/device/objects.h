@@ -1,7 +1,7 @@
-// objects.h - owners of OpenGL objects: made when first sized, deleted in time, counted.
+// objects.h - classes that own OpenGL objects.
 //
-// A context has to be current whenever one is sized, used or deleted; an empty one needs none. All
-// are moved, never copied.
+// An object is created when it is first given a size. A context must be current when an object is
+// sized, used or deleted; an empty one needs no context. All classes can be moved but not copied.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -13,10 +13,11 @@
 
 namespace firsthit::gl {
 
-/// OpenGL objects of this process that these classes made and have not deleted yet.
+/// The number of OpenGL objects in this process that these classes have created and not yet
+/// deleted.
 std::int64_t gl_objects_alive();
 
-/// The name of one object, 0 where there is none. Kind has make() and remove(name).
+/// Owns the name of one object; 0 if there is none. Kind has make() and remove(name).
 template <class Kind>
 class Object {
   public:
@@ -56,7 +57,7 @@ struct TextureKind {
     static void remove(GLuint name);
 };
 struct BufferTextureKind {
-    static GLuint make(); // of a buffer's elements
+    static GLuint make(); // shows the elements of a buffer
     static void remove(GLuint name) { TextureKind::remove(name); }
 };
 struct FramebufferKind {
@@ -71,25 +72,27 @@ struct ProgramKind {
     static GLuint make();
     static void remove(GLuint name);
 };
-struct ShaderKind { // a stage: created by program.cpp, which knows its type
+struct ShaderKind { // created by program.cpp, which knows the type of the stage
     static GLuint make(GLenum type);
     static void remove(GLuint name);
 };
 
-/// Bytes that shaders and transfers use.
+/// A buffer of bytes for shaders and transfers.
 class Buffer {
   public:
-    /// Room for that many bytes: grows, never shrinks; the content is undefined where it grew, and
-    /// name() changes. 0 becomes 4, so that it can always be bound.
+    /// Sets the size in bytes. The memory grows but never shrinks. If it grows, the whole content
+    /// becomes undefined and name() changes. A size of 0 becomes 4, so that the buffer can always
+    /// be bound.
     ///
-    /// flags  of glNamedBufferStorage. With GL_MAP_PERSISTENT_BIT it stays mapped: see mapped()
+    /// flags   of glNamedBufferStorage. With GL_MAP_PERSISTENT_BIT the buffer stays mapped: see
+    ///         mapped()
     /// throws  DeviceError: no memory
     void resize(std::size_t bytes, GLbitfield flags = GL_DYNAMIC_STORAGE_BIT);
 
-    /// Copies bytes to an offset; needs GL_DYNAMIC_STORAGE_BIT.
+    /// Copies bytes to an offset. The buffer must have GL_DYNAMIC_STORAGE_BIT.
     void upload(std::size_t offset, const void* data, std::size_t bytes);
 
-    /// The whole content becomes `values`.
+    /// Resizes the buffer to `values` and copies them.
     template <class T>
     void assign(std::span<const T> values)
     {
@@ -98,11 +101,11 @@ class Buffer {
     }
 
     GLuint name() const { return object_.name(); }
-    std::size_t size() const { return size_; } // bytes, as last asked for
+    std::size_t size() const { return size_; } // bytes, of the last resize
     std::size_t capacity() const { return capacity_; }
-    std::byte* mapped() const { return mapped_; } // null where it is not
+    std::byte* mapped() const { return mapped_; } // null if it is not mapped
 
-    /// As shader storage block number `binding`, all of it.
+    /// Binds the whole buffer as shader storage block number `binding`.
     void bind_storage(GLuint binding) const;
 
   private:
@@ -112,11 +115,11 @@ class Buffer {
     std::byte* mapped_ = nullptr;
 };
 
-/// A picture of texels.
+/// A two-dimensional texture.
 class Texture2D {
   public:
-    /// Exactly that size; the content is undefined where format, size or levels are new. Then
-    /// name() changes, and nearest, unrepeated lookups are set.
+    /// Sets format, size and levels. If one of them changes, the content becomes undefined, name()
+    /// changes, and sampling is set to nearest and clamped to the edge.
     /// throws  DeviceError: no memory
     void resize(GLenum format, int width, int height, int levels = 1);
 
@@ -134,12 +137,12 @@ class Texture2D {
     int width_ = 0, height_ = 0, levels_ = 0;
 };
 
-/// A buffer as elements of a texture format: how shaders read arrays fastest, and without the size
-/// limit of storage blocks.
+/// A buffer texture: the elements of a buffer as texels. Shaders read arrays fastest this way, and
+/// it does not have the size limit of storage blocks.
 class BufferTexture {
   public:
-    /// All of the buffer, as it is now: again after it has grown.
-    /// element_bytes  of the format
+    /// Shows the whole buffer. To be called again after the buffer has grown.
+    /// element_bytes  bytes of a texel of the format
     /// throws  DeviceError: more elements than the driver's GL_MAX_TEXTURE_BUFFER_SIZE
     void look_at(const Buffer& buffer, GLenum format, std::size_t element_bytes);
 
@@ -149,13 +152,13 @@ class BufferTexture {
     Object<BufferTextureKind> object_;
 };
 
-/// What is drawn into.
+/// A framebuffer: the textures that are drawn to.
 class Framebuffer {
   public:
-    /// texture 0: nothing at that point. level 0.
+    /// Attaches level 0 of a texture; 0 detaches.
     void attach(GLenum point, GLuint texture);
 
-    /// throws  DeviceError: the driver cannot draw into this; the message has its reason
+    /// throws  DeviceError: the driver cannot draw to these textures; the message names the status
     void check_complete(const char* what) const;
 
     GLuint name() const { return object_.name(); }
@@ -164,11 +167,11 @@ class Framebuffer {
     Object<FramebufferKind> object_;
 };
 
-/// Where vertices come from; empty where shaders fetch them by gl_VertexID.
+/// The sources of vertices. Empty if shaders load them by gl_VertexID.
 class VertexArray {
   public:
     void create() { object_.create(); }
-    /// Of glDrawElements.
+    /// Sets the index buffer of glDrawElements.
     void set_indices(const Buffer& index);
     GLuint name() const { return object_.name(); }
 
@@ -183,7 +186,8 @@ class Program {
     GLuint name() const { return object_.name(); }
     void use() const { glUseProgram(object_.name()); }
 
-    /// -1 where the linker found no use for it; setting it then does nothing.
+    /// The location of a uniform; -1 if the linker removed it because nothing uses it. Setting
+    /// location -1 has no effect.
     GLint location(const char* uniform) const
     {
         return glGetUniformLocation(object_.name(), uniform);
@@ -193,7 +197,7 @@ class Program {
     Object<ProgramKind> object_;
 };
 
-/// Tells when the commands before it are done.
+/// A fence: tells when the commands before it are done.
 class Fence {
   public:
     Fence() = default;
@@ -205,12 +209,12 @@ class Fence {
     }
     ~Fence() { reset(); }
 
-    /// After all commands so far, which are sent to the driver.
+    /// Inserts the fence after all commands so far, and sends these to the driver.
     void insert();
     bool is_set() const { return sync_ != nullptr; }
-    /// Whether they are done; does not wait. True where it is not set.
+    /// Whether these commands are done; does not wait. True if the fence is not set.
     bool is_done() const;
-    /// Waits for them. Nothing to do where it is not set.
+    /// Waits until they are done. Does nothing if the fence is not set.
     /// throws  DeviceError: the driver failed, or took longer than a minute
     void wait(const char* what) const;
     void reset();
@@ -219,7 +223,7 @@ class Fence {
     GLsync sync_ = nullptr;
 };
 
-/// Counts what happens between begin and end.
+/// A query: counts what OpenGL does between begin() and end().
 class Query {
   public:
     /// target  GL_TIME_ELAPSED, GL_FRAGMENT_SHADER_INVOCATIONS_ARB, ...

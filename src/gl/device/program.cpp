@@ -1,4 +1,4 @@
-// program.cpp - shaders from the library's texts.
+// program.cpp - compiles and links shaders from the texts that are embedded in the library.
 #include "gl/device/program.h"
 
 #include "gl/device/context.h"
@@ -6,6 +6,7 @@
 #include "material/glsl_models.h"
 
 #include <firsthit/error.h>
+#include <firsthit/scene.h>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,8 @@
 namespace firsthit::gl {
 namespace {
 
-/// src/glsl, the texts of src/material and gl/layouts.glsl are C++ too: these are its words in GLSL.
+/// The texts of src/glsl and src/material, and gl/*.glsl, are compiled as C++ and as GLSL. This
+/// defines, in GLSL, the words that they use.
 constexpr std::string_view kWords =
     "#version 450 core\n"
     "#define FIRSTHIT_PURE\n"
@@ -29,11 +31,12 @@ constexpr std::string_view kWords =
     "#define shift_left_23(a) ((a) << 23)\n"
     "#define shift_right_15(a) ((a) >> 15)\n"
     "#define shift_right_23(a) ((a) >> 23)\n"
-    // gl/layouts.glsl
+    // gl/bindings.glsl, gl/layouts.glsl, gl/pose_layout.glsl
     "#define FIRSTHIT_CONSTANT(type, name, value) const type name = value;\n"
     "#define FIRSTHIT_STRUCT(name) struct name {\n"
     "#define FIRSTHIT_FIELD(type, name, value) type name;\n"
     "#define FIRSTHIT_NESTED(type, name) type name;\n"
+    "#define FIRSTHIT_ARRAY(type, name, count) type name[count];\n"
     "#define FIRSTHIT_END(name) };\n";
 
 std::string_view file_of(std::string_view name)
@@ -62,7 +65,7 @@ GLenum type_of(std::string_view name)
         "shader text '{}' is no stage: .vert, .frag, .geom and .comp are accepted", name));
 }
 
-/// Appends a text with what it includes, and remembers which texts are there.
+/// Appends a text and the texts that it includes, except those that the source has already.
 void append_text(std::string_view name, ShaderSource& source)
 {
     const ShaderText& text = find_text(name);
@@ -86,7 +89,7 @@ void append_text(std::string_view name, ShaderSource& source)
     }
 }
 
-/// Compilers number the texts of their logs: says which is which.
+/// The files by number, for error messages: compilers' logs refer to files by number.
 std::string file_list(const ShaderSource& source)
 {
     std::string list;
@@ -102,7 +105,7 @@ std::string trimmed(std::string log)
     return log;
 }
 
-/// Shaders on their way into a program, deleted with it or before.
+/// Compiles shaders and links them to a program. Deletes the shaders, also on errors.
 class Linker {
   public:
     Linker() { program_.create(); }
@@ -166,7 +169,7 @@ ShaderSource shader_source(std::string_view name, std::span<const Define> define
 {
     ShaderSource source;
     source.type = type_of(name);
-    source.text = kWords;
+    source.text = fmt::format("{}#define kNoItem {}u\n", kWords, kNoItem);
     for (const Define& define : defines)
         source.text += "#define " + define.name + " " + define.value + "\n";
     append_text(name, source);

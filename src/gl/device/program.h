@@ -1,4 +1,4 @@
-// program.h - shaders from the library's texts.
+// program.h - compiles and links shaders from the texts that are embedded in the library.
 #pragma once
 
 #include "gl/device/objects.h"
@@ -11,31 +11,32 @@
 
 namespace firsthit::gl {
 
-/// A `#define name value` before a shader's text.
+/// A `#define name value` that is inserted before the text of a shader.
 struct Define {
     std::string name;
     std::string value;
 };
 using Defines = std::vector<Define>;
 
-/// A shader as the driver gets it.
+/// A shader as it is handed to the driver.
 struct ShaderSource {
-    GLenum type = 0;                     // GL_VERTEX_SHADER, ...: by the name's ending
-    std::string text;                    // from #version on
-    std::vector<std::string_view> files; // number k of a log is the line of this file
+    GLenum type = 0;                     // GL_VERTEX_SHADER, ...; follows from the name's ending
+    std::string text;                    // the whole text, from #version on
+    std::vector<std::string_view> files; // files[k] is the file that a log calls k
 };
 
-/// The text of src/gl/shaders, src/glsl or src/material with that name: "pose.comp" or
-/// "gl/shaders/pose.comp"; or "models.glsl", which glsl_models writes.
-/// Each `#include "name"` is replaced by its text where it comes first, later ones by nothing. In
-/// front stand the version, the words of src/glsl (real, real3, ...) and the defines.
+/// Puts together the text of a shader: the version, the types of src/glsl (real, real3, ...), the
+/// defines, and the text of src/gl, src/glsl or src/material with that name ("pose.comp" or
+/// "gl/shaders/pose.comp"). An `#include "name"` is replaced by that text, but only the first time;
+/// later ones are dropped. "models.glsl" is the text that glsl_models() writes.
 ///
 /// name    ends in .vert .frag .geom .comp
 /// throws  ArgumentError: no such text, no such ending
 ShaderSource shader_source(std::string_view name, std::span<const Define> defines = {});
 
 /// Compiles and links shaders, all with the same defines.
-/// throws  DeviceError: the driver refuses one; has the shader's name, the driver and its log
+/// throws  DeviceError: the driver refuses one; the message has the shader's name, the driver and
+///         its log
 Program link_program(
     std::initializer_list<std::string_view> names, std::span<const Define> defines = {});
 

@@ -1,4 +1,4 @@
-// shader_texts.h - the texts of src/gl/shaders and src/glsl, put into the library by the build.
+// shader_texts.h - the texts of all shaders, which the build embeds in the library.
 #pragma once
 
 #include <span>

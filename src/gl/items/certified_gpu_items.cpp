@@ -10,15 +10,12 @@ namespace firsthit::gl {
 ItemTexture CertifiedGpuItems::draw(const World& world, const Pencil& pencil,
     const Settings& /*settings*/, const SceneBuffers& scene, Tasks& tasks)
 {
-    certified_.draw(scene, pencil);
+    take_triangles(*world.scene, view_);
+    certified_.draw(scene, pencil, view_.cutouts);
     const std::span<const ListedSample> uncertain = certified_.read_uncertain();
     if (!uncertain.empty()) {
-        view_.pencil = pencil;
-        view_.index = world.scene->index;
-        project_vertices(world.position, view_, tasks);
-        decided_.resize(uncertain.size());
-        find_listed_items(view_, uncertain, lazy_, decided_.span(), tasks);
-        certified_.write(uncertain, decided_.span());
+        project_vertices(world.position, pencil, view_, tasks);
+        certified_.write(uncertain, find_listed_items(pencil, view_, {uncertain}, lazy_, tasks));
     }
     uncertain_ += uncertain.size();
     return {certified_.items().name(), ItemFormat::r32ui};

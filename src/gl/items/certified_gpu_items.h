@@ -8,9 +8,10 @@
 
 namespace firsthit::gl {
 
-/// Items that OpenGL is certain of; the others are decided on the CPU and written between them. They
-/// are the cpu engine's where the driver's doubles round as they should, for it poses the vertices
-/// (gl/scene/scene_buffers.h).
+/// Makes exact items: OpenGL finds the items that it is certain of, and the CPU decides the others,
+/// which are then written to the same texture. OpenGL also poses the vertices
+/// (gl/scene/scene_buffers.h). If the driver rounds doubles correctly, the items are identical to
+/// those of the cpu engine.
 class CertifiedGpuItems final : public GpuItems {
   public:
     /// throws  DeviceError: see link_program
@@ -20,14 +21,13 @@ class CertifiedGpuItems final : public GpuItems {
     ItemTexture draw(const World& world, const Pencil& pencil, const Settings& settings,
         const SceneBuffers& scene, Tasks& tasks) override;
 
-    /// Samples that the CPU decided, since the last call.
+    /// The number of samples that the CPU has decided since the last call.
     std::uint64_t take_uncertain();
 
   private:
     CertifiedItems certified_;
     ViewMemory view_; // eye space on the CPU
     LazyMemory lazy_;
-    firsthit::Buffer<std::uint32_t> decided_;
     std::uint64_t uncertain_ = 0;
 };
 

@@ -1,6 +1,7 @@
-// certified_items.cpp - an item buffer by OpenGL that knows where it is not certain.
+// certified_items.cpp - an item buffer, drawn by OpenGL, that marks the samples that are uncertain.
 #include "gl/items/certified_items.h"
 
+#include "gl/bindings.h"
 #include "gl/device/program.h"
 
 #include <firsthit/error.h>
@@ -31,6 +32,7 @@ CertifiedItems::Shader CertifiedItems::make_shader(bool doubts)
     shader.scale = shader.program.location("scale");
     shader.shift = shader.program.location("shift");
     shader.typical = shader.program.location("typical");
+    shader.cutout_words = shader.program.location("cutout_words");
     return shader;
 }
 
@@ -66,13 +68,22 @@ void CertifiedItems::run(const Shader& shader, const SceneBuffers& scene, const 
     glUniform2fv(shader.scale, 1, clip.scale);
     glUniform2fv(shader.shift, 1, clip.shift);
     glUniform1f(shader.typical, 1);
+    glUniform1ui(shader.cutout_words, cutout_words_);
+    if (cutout_words_ > 0) cutout_buffer_.bind_storage(kCutoutsBlock);
     triangles_.draw(scene);
     glUseProgram(0);
 }
 
-void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
+void CertifiedItems::take_cutouts(const Cutouts& cutouts)
+{
+    cutout_words_ = GLuint(2 * cutouts.words().size()); // of 32 bits
+    if (cutouts.any()) cutout_buffer_.assign(cutouts.words());
+}
+
+void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil, const Cutouts& cutouts)
 {
     check_pencil(pencil, limits_);
+    take_cutouts(cutouts);
     make_targets(pencil.width, pencil.height);
     width_ = pencil.width;
     height_ = pencil.height;
@@ -84,7 +95,8 @@ void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // the lower row of OpenGL is our upper one
+    // Row 0 of the texture is the top row of the picture.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 
     const GLuint none[4] = {kNoItem, kNoItem, kNoItem, kNoItem}, zero[4] = {0, 0, 0, 0};
     const GLfloat nowhere[4] = {std::numeric_limits<float>::infinity(), 0, 0, 0};
@@ -98,8 +110,8 @@ void CertifiedItems::draw(const SceneBuffers& scene, const Pencil& pencil)
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, doubt_target_.name());
     glClearNamedFramebufferuiv(doubt_target_.name(), GL_COLOR, 0, zero);
-    items_.bind(0);
-    depths_.bind(1);
+    items_.bind(kItemsUnit);
+    depths_.bind(kCertifiedDepthsUnit);
     run(doubt_, scene, pencil);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     check("drawing certain items");
@@ -145,7 +157,7 @@ void CertifiedItems::write(
     glDisable(GL_DEPTH_TEST);
     scatter_.use();
     glUniform2f(scatter_.location("size"), GLfloat(width_), GLfloat(height_));
-    given_buffer_.bind_storage(0);
+    given_buffer_.bind_storage(kGivenItemsBlock);
     glBindVertexArray(nothing_.name());
     glDrawArrays(GL_POINTS, 0, GLsizei(given_.size()));
     glBindVertexArray(0);

@@ -11,8 +11,7 @@ ItemTexture DrawnItems::draw(const World& world, const Pencil& pencil, const Set
 {
     DepthRange range;
     if (settings.opengl.depth_format == DepthFormat::fixed24) {
-        view_.pencil = pencil;
-        project_vertices(world.position, view_, tasks);
+        project_vertices(world.position, pencil, view_, tasks);
         range = fit_depth(view_.corner.span(), world.scene->index, pencil, tasks);
     }
     pass_.draw(scene, pencil, settings.opengl.item_format, settings.opengl.depth_format, range);

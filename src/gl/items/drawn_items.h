@@ -7,8 +7,8 @@
 
 namespace firsthit::gl {
 
-/// Draws with the settings' item and depth formats. For DepthFormat::fixed24 the range of depths is
-/// fitted on the cpu.
+/// Draws items in the settings' item and depth formats. For DepthFormat::fixed24 the CPU finds the
+/// range of depths.
 class DrawnItems : public GpuItems {
   public:
     /// throws  DeviceError: see link_program
@@ -20,7 +20,7 @@ class DrawnItems : public GpuItems {
 
   private:
     ItemPass pass_;
-    ViewMemory view_; // eye space on the cpu
+    ViewMemory view_; // eye space on the CPU
 };
 
 } // namespace firsthit::gl

@@ -1,4 +1,4 @@
-// fit_depth.cpp - how near and how far is what a pencil sees?
+// fit_depth.cpp - finds the range of depths that a pencil sees.
 #include "gl/items/fit_depth.h"
 
 #include "exact/hit.h"
@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::size_t kTrianglesPerTask = 8192;
 
-/// A triangle cut by planes through the eye: each cut adds one corner at most.
+/// A triangle clipped by planes through the eye. Each clip adds at most one corner.
 struct Polygon {
     std::array<glm::dvec3, 8> corner;
     int count = 0;
 
-    /// Keeps where dot(plane, p) >= 0.
+    /// Keeps the side with dot(plane, p) >= 0.
     void cut(const glm::dvec3& plane)
     {
         Polygon kept;
@@ -35,7 +35,7 @@ struct Polygon {
     }
 };
 
-/// The pencil's sides, half a sample outside, and what is in front of the eye.
+/// The planes of the pencil's four sides, half a sample outside, and the plane z = 0 of the eye.
 std::array<glm::dvec3, 5> sides(const Pencil& pencil)
 {
     const double left = pencil.x0 - 0.5, right = left + pencil.width;
@@ -66,7 +66,8 @@ DepthRange fit_depth(std::span<const glm::vec4> corner, std::span<const glm::uve
         Range range;
         for (std::size_t t = first; t < last; ++t) {
             Polygon polygon;
-            bool visible = true; // corners out of reach hit nothing (exact/hit.h)
+            // Rays hit no triangle with a corner beyond kFarthest (exact/hit.h).
+            bool visible = true;
             for (int k = 0; k < 3; ++k) {
                 const glm::vec4& p = corner[index[t][k]];
                 visible &= std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest &&
@@ -88,7 +89,7 @@ DepthRange fit_depth(std::span<const glm::vec4> corner, std::span<const glm::uve
         all.farthest = std::max(all.farthest, range.farthest);
     });
     if (!(all.farthest > 0)) return {};
-    // A little room: what lies exactly on the far plane would be lost.
+    // A margin, because triangles exactly on the far plane would be lost.
     DepthRange fit;
     fit.far = all.farthest * 1.001;
     fit.near = std::max(all.nearest * 0.999, fit.far / kMostDepths);

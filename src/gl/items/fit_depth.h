@@ -1,4 +1,4 @@
-// fit_depth.h - how near and how far is what a pencil sees?
+// fit_depth.h - finds the range of depths that a pencil sees.
 #pragma once
 
 #include "base/tasks.h"
@@ -17,9 +17,9 @@ struct DepthRange {
     double far = 2;
 };
 
-/// A range that holds what the samples see of the triangles, as narrow as it can be: triangles are
-/// cut to the pencil's sides. Where something comes nearer than far / kMostDepths, near is that: with
-/// 24 bits a nearer plane would leave too little for all the rest.
+/// The smallest range that contains the depths of all triangles in the pencil: triangles are
+/// clipped to its sides. near is at least far / kMostDepths, even if triangles are nearer, because
+/// with 24 bits a nearer plane would leave too little precision for other depths.
 ///
 /// corner  (V) eye space
 /// index   (T)
@@ -27,7 +27,8 @@ struct DepthRange {
 DepthRange fit_depth(std::span<const glm::vec4> corner, std::span<const glm::uvec3> index,
     const Pencil& pencil, Tasks& tasks);
 
-/// far / near at most: then neighbouring depths of 24 bits differ by 2^-12 of the depth at far.
+/// The greatest far / near. Neighbouring depths of 24 bits then differ by 2^-12 of the depth at
+/// `far`.
 inline constexpr double kMostDepths = 4096;
 
 } // namespace firsthit::gl

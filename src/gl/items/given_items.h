@@ -9,10 +9,10 @@
 
 namespace firsthit::gl {
 
-/// Uploads the items that it was given. To be deleted with its context current.
+/// Uploads items that the caller provides. The context must be current when this is deleted.
 class GivenItems final : public GpuItems {
   public:
-    /// items  (height, width) of the rectangles that are drawn next; not copied
+    /// items  (height, width) of the next rectangle to draw; not copied
     void set(std::span<const std::uint32_t> items) { items_ = items; }
 
     /// throws  DeviceError: the rectangle is of another size, or no memory

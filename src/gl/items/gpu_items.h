@@ -10,13 +10,13 @@
 
 namespace firsthit::gl {
 
-/// A picture of items, coded as its format says (gl/items/item_pass.h).
+/// A texture of items in one of the formats (gl/items/item_pass.h).
 struct ItemTexture {
     GLuint name = 0;
     ItemFormat format = ItemFormat::r32ui;
 };
 
-/// Who makes the items of a picture.
+/// Interface of the classes that make the items of a picture.
 class GpuItems {
   public:
     GpuItems() = default;
@@ -24,9 +24,10 @@ class GpuItems {
     GpuItems& operator=(const GpuItems&) = delete;
     virtual ~GpuItems() = default;
 
-    /// Draws the items of the pencil's rectangle, row 0 at the top, kNoItem where nothing is.
-    /// scene    posed for the pencil
-    /// returns  valid until the next call
+    /// Makes the items of the pencil's rectangle, row 0 at the top, kNoItem for samples that see
+    /// nothing.
+    /// scene    must be posed for the pencil
+    /// returns  a texture that is valid until the next call
     virtual ItemTexture draw(const World& world, const Pencil& pencil, const Settings& settings,
         const SceneBuffers& scene, Tasks& tasks) = 0;
 };

@@ -1,4 +1,4 @@
-// hybrid_items.cpp - items drawn by OpenGL, for the rays of the CPU.
+// hybrid_items.cpp - items drawn by OpenGL for rays on the CPU.
 #include "gl/items/hybrid_items.h"
 
 #include "base/stopwatch.h"
@@ -56,7 +56,7 @@ void HybridItems::set(const Settings& settings)
     settings_ = settings.opengl;
 }
 
-/// With the context current.
+/// Draws the items. The context must be current.
 void HybridItems::draw()
 {
     Stopwatch watch;
@@ -67,7 +67,7 @@ void HybridItems::draw()
     times_.draw_ms += watch.lap_ms();
 }
 
-/// The job thread's: all of OpenGL's part.
+/// The job of OpenGL's thread: draws the items and reads them back.
 void HybridItems::draw_and_read()
 {
     try {
@@ -92,7 +92,7 @@ void HybridItems::draw_and_read()
         error_ = std::current_exception();
         drawn_ = true;
     }
-    report(order_.pencil.height); // whatever went wrong
+    report(order_.pencil.height); // also after errors, so that nobody waits forever
 }
 
 void HybridItems::report(int rows)
@@ -106,24 +106,26 @@ void HybridItems::report(int rows)
 
 bool HybridItems::start(const World& world, ViewMemory& memory, Tasks& tasks)
 {
-    thread_.wait(); // where the last frame was given up
+    thread_.wait(); // if the last frame was cancelled
     check_triangles(settings_.item_format, world.scene->index.size());
-    memory.index = world.scene->index;
-    memory.in_view_count = memory.entry_count = 0; // nothing is binned
+    take_triangles(*world.scene, memory);
+    mode_ = memory.cutouts.any() ? Multisample::exact : multisample_;
+    memory.in_view_count = memory.entry_count = 0; // triangles are not binned
     order_ = {&world, memory.pencil, {}};
     drawn_ = false;
     rows_ = tile_rows_ = 0;
     error_ = nullptr;
 
-    if (multisample_ == Multisample::exact || settings_.readback == Readback::sync) let_go();
-    if (multisample_ == Multisample::exact) {
+    if (mode_ == Multisample::exact || settings_.readback == Readback::sync) let_go();
+    if (mode_ == Multisample::exact) {
         find_exact(memory, tasks);
         return true;
     }
-    // What the driver needs from the CPU's eye space comes first; else they work side by side.
+    // fixed24 needs the range of depths before drawing. Otherwise the CPU projects while OpenGL
+    // draws.
     const bool projects_first = settings_.depth_format == DepthFormat::fixed24;
     if (projects_first) {
-        project_vertices(world.position, memory, tasks);
+        project_vertices(world.position, memory.pencil, memory, tasks);
         order_.range = fit_depth(memory.corner.span(), memory.index, memory.pencil, tasks);
     }
 
@@ -138,19 +140,20 @@ bool HybridItems::start(const World& world, ViewMemory& memory, Tasks& tasks)
         }
         rows_ = readback_->height();
         times_.waiting_ms += watch.lap_ms();
-        if (!projects_first) project_vertices(world.position, memory, tasks);
+        if (!projects_first) project_vertices(world.position, memory.pencil, memory, tasks);
         return true;
     }
     thread_.start([this] { draw_and_read(); });
     try {
-        if (!projects_first) project_vertices(world.position, memory, tasks);
+        if (!projects_first) project_vertices(world.position, memory.pencil, memory, tasks);
     } catch (...) {
-        thread_.wait(); // it looks at the world
+        thread_.wait(); // it reads the world
         throw;
     }
     Stopwatch watch;
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return drawn_; }); // the world is not looked at any more
+    // After this, OpenGL's thread does not read the world.
+    changed_.wait(lock, [&] { return drawn_; });
     times_.waiting_ms += watch.lap_ms();
     if (!error_) return true;
     const std::exception_ptr error = error_;
@@ -159,36 +162,36 @@ bool HybridItems::start(const World& world, ViewMemory& memory, Tasks& tasks)
     std::rethrow_exception(error);
 }
 
-/// OpenGL's certain items, and the CPU's where it is not.
+/// Finds exact items: OpenGL's where it is certain, otherwise the CPU's.
 void HybridItems::find_exact(ViewMemory& memory, Tasks& tasks)
 {
     const auto width = std::size_t(memory.pencil.width);
     exact_items_.resize(width * std::size_t(memory.pencil.height));
-    project_vertices(order_.world->position, memory, tasks);
+    project_vertices(order_.world->position, memory.pencil, memory, tasks);
     std::span<const ListedSample> uncertain;
     {
         Stopwatch watch;
         const Current current(context_);
         if (!certified_) certified_.emplace(context_);
         scene_.lend_eye_space(*order_.world, order_.pencil, memory.corner.span());
-        certified_->draw(scene_, order_.pencil);
+        certified_->draw(scene_, order_.pencil, memory.cutouts);
         times_.draw_ms += watch.lap_ms();
         certified_->read_items(exact_items_.span());
         uncertain = certified_->read_uncertain();
         times_.transfer_ms += watch.lap_ms();
     }
-    decided_.resize(uncertain.size());
-    find_listed_items(memory, uncertain, lazy_, decided_.span(), tasks);
+    const std::span<const std::uint32_t> decided =
+        find_listed_items(memory.pencil, memory, {uncertain}, lazy_, tasks);
     for (std::size_t k = 0; k < uncertain.size(); ++k)
-        exact_items_[uncertain[k].y * width + uncertain[k].x] = decided_[k];
+        exact_items_[uncertain[k].y * width + uncertain[k].x] = decided[k];
     times_.uncertain += uncertain.size();
     rows_ = memory.pencil.height;
 }
 
 std::size_t HybridItems::wait(const ViewMemory& memory)
 {
-    const int reach = reach_of(multisample_);
-    // Rows of tiles whose neighbourhood is there.
+    const int reach = reach_of(mode_);
+    // The number of rows of tiles whose items, and the neighbours of these, have arrived.
     const auto ready = [&](int rows) {
         return rows >= memory.pencil.height ? memory.tiles_y
                                             : std::max(0, rows - reach) / memory.tile_size;
@@ -202,12 +205,12 @@ std::size_t HybridItems::wait(const ViewMemory& memory)
     return std::size_t(tile_rows_) * std::size_t(memory.tiles_x);
 }
 
-void HybridItems::tile(const ViewMemory& memory, int tile, ItemTile& out,
+void HybridItems::tile(const ViewMemory& memory, int tile, TileItems& out,
     std::span<std::uint64_t> holes, std::size_t /*worker*/)
 {
-    const bool exact = multisample_ == Multisample::exact;
-    repair_tile_items(
-        memory, exact ? exact_items_.span() : readback_->picture(), tile, multisample_, out, holes);
+    const bool exact = mode_ == Multisample::exact;
+    const PictureTile picture{memory, exact ? exact_items_.span() : readback_->picture(), tile};
+    repair_tile_items(memory, picture, mode_, out, holes);
 }
 
 HybridTimes HybridItems::take_times()

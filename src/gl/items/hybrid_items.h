@@ -1,4 +1,4 @@
-// hybrid_items.h - items drawn by OpenGL, for the rays of the CPU.
+// hybrid_items.h - items drawn by OpenGL for rays on the CPU.
 #pragma once
 
 #include "gl/items/certified_items.h"
@@ -18,23 +18,24 @@
 
 namespace firsthit::gl {
 
-/// Where a frame's time on OpenGL went. Milliseconds, summed over the frame's parts.
+/// The times of OpenGL in a frame, milliseconds, summed over all sections of the picture.
 struct HybridTimes {
-    double draw_ms = 0;          // vertices posed, triangles sent to the driver
-    double transfer_ms = 0;      // from there to the last item in host memory: raster and transfer
-    double waiting_ms = 0;       // how long of all this the rays had to wait
+    double draw_ms = 0;          // posing vertices and sending triangles to the driver
+    double transfer_ms = 0;      // from there until all items are in host memory
+    double waiting_ms = 0;       // how long the CPU waited for it
     std::uint64_t uncertain = 0; // samples that the CPU decided
 };
 
-/// The item source of the hybrid engine: draws the part's items, reads them back and repairs tile
-/// by tile on the CPU (hits/item_repair.h).
+/// The item source of the hybrid engine: draws the items of a section of the picture, reads them
+/// back, and repairs them tile by tile on the CPU (hits/item_repair.h).
 ///
-/// sync    everything is done by the caller's thread before start() returns.
-/// async   OpenGL has a thread of its own. Meanwhile start() moves the vertices that rays are
-///         tested against; tiles are ready as soon as the rows around them are there.
-///
-/// Multisample::exact: items that OpenGL is certain of, the others decided by the CPU before start()
-///         returns: the cpu engine's items.
+/// Readback::sync      the caller's thread does everything before start() returns
+/// Readback::async     OpenGL has a thread of its own. Meanwhile start() projects the vertices that
+///                     rays are tested against. A tile is ready as soon as the rows around it have
+///                     arrived
+/// Multisample::exact  OpenGL finds the items that it is certain of, and the CPU decides the others
+///                     before start() returns. The items are those of the cpu engine. Scenes with cut-outs
+///                     (exact/cutouts.h) are always drawn so
 ///
 /// source  Robert and Schoepke 2006, section 4.1
 class HybridItems final : public ItemSource {
@@ -45,29 +46,30 @@ class HybridItems final : public ItemSource {
     HybridItems(const Context& context, SceneBuffers& scene);
     ~HybridItems() override;
 
-    /// Makes the context current nowhere: OpenGL's thread keeps it from frame to frame, since to
-    /// change threads takes drivers a while. Before anybody else uses it.
+    /// Releases the context. OpenGL's thread keeps it current from frame to frame, because drivers
+    /// take a while to change threads. To be called before another thread uses the context.
     void let_go();
 
-    /// Does other work of the frame there, once its items are drawn; throws what it throws.
+    /// Runs other work of the frame on OpenGL's thread, after its items were drawn.
+    /// throws  what `work` throws
     void with_context(const std::function<void()>& work);
 
-    /// For the frames that follow. Read are multisample, opengl.item_format, .depth_format,
-    /// .readback and .readback_chunks.
+    /// Sets the options of the frames that follow: settings.multisample and settings.opengl, except
+    /// for its passes.
     void set(const Settings& settings);
 
     /// throws  ArgumentError: more triangles than the item format holds
     ///         DeviceError: as SceneBuffers and ItemPass
     bool start(const World& world, ViewMemory& memory, Tasks& tasks) override;
     std::size_t wait(const ViewMemory& memory) override;
-    void tile(const ViewMemory& memory, int tile, ItemTile& out, std::span<std::uint64_t> holes,
+    void tile(const ViewMemory& memory, int tile, TileItems& out, std::span<std::uint64_t> holes,
         std::size_t worker) override;
 
-    /// Since the last call.
+    /// The times since the last call.
     HybridTimes take_times();
 
   private:
-    /// What the driver is asked for, while start() runs.
+    /// What is to be drawn. Valid while start() runs.
     struct Order {
         const World* world = nullptr;
         Pencil pencil;
@@ -80,25 +82,25 @@ class HybridItems final : public ItemSource {
 
     const Context& context_;
     SceneBuffers& scene_;
-    std::optional<ItemPass> pass_; // while the context is there
+    std::optional<ItemPass> pass_; // deleted while the context is current
     std::optional<ItemReadback> readback_;
-    std::optional<CertifiedItems> certified_; // made when first asked for
+    std::optional<CertifiedItems> certified_; // made when first needed
     firsthit::Buffer<std::uint32_t> exact_items_;
-    firsthit::Buffer<std::uint32_t> decided_;
     LazyMemory lazy_;
-    Multisample multisample_ = Multisample::lazy3;
+    Multisample multisample_ = Multisample::lazy3; // as it was set
+    Multisample mode_ = Multisample::lazy3;        // of the frame: exact where there are cut-outs
     OpenGlSettings settings_;
     Order order_;
-    int tile_rows_ = 0; // that were said to be ready
+    int tile_rows_ = 0; // rows of tiles that wait() has reported
 
     std::mutex mutex_; // guards the following, which the job thread writes
     std::condition_variable changed_;
     bool drawn_ = false;
-    int rows_ = 0; // that are there
+    int rows_ = 0; // rows of items that have arrived
     std::exception_ptr error_;
     HybridTimes times_;
 
-    std::optional<Current> held_; // by the job thread
+    std::optional<Current> held_; // the context, while the job thread has it
     JobThread thread_;
 };
 

@@ -12,8 +12,8 @@
 namespace firsthit::gl {
 namespace {
 
-/// Depth 1 of the reversed float buffer. Depths are kept with all their bits from here to 2^126
-/// times this, 8e25; what is nearer counts as being here.
+/// The distance that has depth 1 in the reversed float buffer. Depths keep all their bits from here
+/// to 2^126 times as far, 8e25. Nearer points are clamped to this distance.
 constexpr float kNearest = 0x1p-40f;
 
 const char* name_of(ItemFormat format)
@@ -79,7 +79,7 @@ ItemPass::Shader ItemPass::make_shader(bool colors)
     return shader;
 }
 
-/// Textures that grow with the pencil and never shrink, as long as their formats stay.
+/// Makes the textures large enough. As long as their formats stay the same they never shrink.
 void ItemPass::make_target(GLenum format, GLenum depth_format)
 {
     const bool same = items_.format() == format && depth_.format() == depth_format;
@@ -110,14 +110,15 @@ void ItemPass::draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat 
     glEnable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_DITHER); // or bytes of a colour would not be what was written
+    glDisable(GL_DITHER); // which would change the bytes of colours
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     // Depth grows towards the eye in both formats. Later triangles of equal depth lose.
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
     glEnable(GL_DEPTH_CLAMP);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // the lower row of OpenGL is our upper one
+    // Row 0 of the texture is the top row of the picture.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 
     const GLuint none[4] = {kNoItem, kNoItem, kNoItem, kNoItem};
     const GLfloat white[4] = {1, 1, 1, 1};

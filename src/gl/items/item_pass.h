@@ -14,30 +14,30 @@
 
 namespace firsthit::gl {
 
-/// Triangles that a format can tell apart from none.
+/// The largest number of triangles that a format can hold, besides kNoItem.
 std::uint64_t most_triangles(ItemFormat format);
 
-/// throws  ArgumentError: more triangles than the format can tell apart
+/// throws  ArgumentError: more triangles than the format can hold
 void check_triangles(ItemFormat format, std::uint64_t triangles);
 
-/// What glReadPixels is to be asked for, 4 bytes a pixel in every format.
+/// The arguments of glReadPixels. A pixel has 4 bytes in every format.
 struct PixelLayout {
     GLenum format = GL_RED_INTEGER;
     GLenum type = GL_UNSIGNED_INT;
 };
 PixelLayout pixel_layout(ItemFormat format);
 
-/// The item that a pixel of 4 bytes says; none is kNoItem in every format.
+/// The item of a pixel of 4 bytes; kNoItem for the background in every format.
 constexpr std::uint32_t decoded(ItemFormat format, std::uint32_t pixel)
 {
-    // rgb8 has no alpha: it is read as 255, so that none has all bits.
+    // rgb8 has no alpha, which is read as 255. So the background still reads as kNoItem.
     if (format != ItemFormat::rgb8 || pixel == kNoItem) return pixel;
     return pixel & 0xFFFFFFu;
 }
 
-/// Draws every triangle with its number into a texture: nearest wins, at equal depth the lowest
-/// number. Nothing is culled; nothing is cut near the eye or far from it. A pixel is a sample of
-/// the pencil, and row 0 of the texture is the pencil's first row, the top.
+/// Draws the number of each triangle to a texture. The nearest triangle wins; at equal depths the
+/// lowest number wins. Triangles are neither culled nor clipped by a near or far plane. A pixel is
+/// a sample of the pencil. Row 0 of the texture is the top row.
 ///
 /// source  Robert and Schoepke 2006, section 3.1
 class ItemPass {
@@ -45,16 +45,17 @@ class ItemPass {
     /// throws  DeviceError: see link_program
     explicit ItemPass(const Context& context);
 
-    /// range   of depths, for DepthFormat::fixed24 alone: see fit_depth
+    /// range   of depths, used by DepthFormat::fixed24 only: see fit_depth
     /// throws  ArgumentError: more triangles than the format holds, or a pencil that is parallel
     ///         DeviceError: the pencil is wider or higher than the driver's textures, or no memory
     void draw(const SceneBuffers& scene, const Pencil& pencil, ItemFormat format, DepthFormat depth,
         const DepthRange& range = {});
 
-    /// Of the last draw: at least as large as the pencil, whose pixels come first.
+    /// The items of the last draw. The texture is at least as large as the pencil, whose samples
+    /// start at its first texel.
     const Texture2D& items() const { return items_; }
     const Texture2D& depth() const { return depth_; }
-    /// Has both.
+    /// The framebuffer of both textures.
     const Framebuffer& framebuffer() const { return framebuffer_; }
     ItemFormat format() const { return format_; }
     int width() const { return width_; } // of the pencil

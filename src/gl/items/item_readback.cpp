@@ -1,4 +1,4 @@
-// item_readback.cpp - items from OpenGL to host memory, at once or in chunks.
+// item_readback.cpp - transfers items from OpenGL to host memory, at once or in chunks.
 #include "gl/items/item_readback.h"
 
 #include "gl/device/context.h"
@@ -8,7 +8,7 @@
 namespace firsthit::gl {
 namespace {
 
-/// Sets what glReadPixels reads from, as long as it lives.
+/// While it exists, glReadPixels reads the items of the pass.
 struct ReadFrom {
     explicit ReadFrom(const ItemPass& pass)
     {
@@ -19,7 +19,7 @@ struct ReadFrom {
     ~ReadFrom() { glBindFramebuffer(GL_READ_FRAMEBUFFER, 0); }
 };
 
-/// Whether pixels are not the items yet: see decoded().
+/// Whether pixels have to be converted to items: see decoded().
 bool needs_decoding(ItemFormat format)
 {
     return format == ItemFormat::rgb8;

@@ -1,4 +1,4 @@
-// item_readback.h - items from OpenGL to host memory, at once or in chunks.
+// item_readback.h - transfers items from OpenGL to host memory, at once or in chunks.
 #pragma once
 
 #include "base/buffer.h"
@@ -13,22 +13,23 @@
 
 namespace firsthit::gl {
 
-/// The transfer of one item picture at a time. Its memory is kept.
+/// Transfers one item buffer at a time. Its memory is kept for the next one.
 class ItemReadback {
   public:
     explicit ItemReadback(const Context& context) : hardware_(context.is_hardware()) {}
 
-    /// Begins the transfer of what was drawn last. sync: it is done when this returns. async:
-    /// chunks of whole rows go through a pixel buffer object that stays mapped, each behind a
-    /// fence; wait() tells when they are there. Hardware is asked for all chunks at once; a
-    /// software driver, which copies while it is asked, for one at a time.
+    /// Begins the transfer of the items that were drawn last. Readback::sync: it is done when this
+    /// returns. Readback::async: chunks of whole rows are copied to a pixel buffer object that
+    /// stays mapped, with a fence after each; wait() waits for the next one. All chunks are
+    /// requested at once from hardware, but one at a time from a software driver, which copies
+    /// during the request.
     ///
-    /// chunks  1 or more, of the picture; async
+    /// chunks  for async: the number of chunks of the picture, 1 or more
     /// throws  DeviceError: no memory, lost context
     void start(const ItemPass& pass, Readback mode, int chunks);
 
-    /// Waits for the next chunk; the context has to be current.
-    /// returns  the number of rows that are there, from the top; all of them in the end
+    /// Waits for the next chunk. The context must be current.
+    /// returns  the number of rows that have arrived, from the top
     /// throws  DeviceError: lost context
     int wait();
 
@@ -36,8 +37,8 @@ class ItemReadback {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// (height, width) triangle ids, of which rows_ready() rows are there. Stays in place until
-    /// the next start.
+    /// The items, (height, width), of which rows_ready() rows have arrived. The address stays the
+    /// same until the next start().
     std::span<const std::uint32_t> picture() const
     {
         return {items_, std::size_t(width_) * std::size_t(height_)};
@@ -50,10 +51,10 @@ class ItemReadback {
 
     bool hardware_;
     const ItemPass* pass_ = nullptr;
-    firsthit::Buffer<std::uint32_t> host_; // sync, or decoded
-    Buffer transfer_;                      // async
-    std::vector<Fence> fences_;            // a chunk each
-    std::size_t asked_ = 0;                // chunks
+    firsthit::Buffer<std::uint32_t> host_; // for sync, or decoded items
+    Buffer transfer_;                      // for async
+    std::vector<Fence> fences_;            // (chunks)
+    std::size_t asked_ = 0;                // number of requested chunks
     const std::uint32_t* items_ = nullptr;
     int width_ = 0, height_ = 0;
     int chunk_rows_ = 1;

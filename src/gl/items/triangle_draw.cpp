@@ -1,5 +1,8 @@
-// triangle_draw.cpp - all triangles of a scene as a pencil sees them, for the passes that make items.
+// triangle_draw.cpp - draws all triangles of a scene in a pencil's eye space, for the passes that
+// make items.
 #include "gl/items/triangle_draw.h"
+
+#include "gl/bindings.h"
 
 #include <firsthit/error.h>
 
@@ -19,9 +22,9 @@ SampleToClip sample_to_clip(const Pencil& pencil)
 TriangleDraw::TriangleDraw()
 {
     vertices_.create();
-    glEnableVertexArrayAttrib(vertices_.name(), 0);
-    glVertexArrayAttribFormat(vertices_.name(), 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vertices_.name(), 0, 0);
+    glEnableVertexArrayAttrib(vertices_.name(), kEyeAttribute);
+    glVertexArrayAttribFormat(vertices_.name(), kEyeAttribute, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vertices_.name(), kEyeAttribute, 0);
 }
 
 void TriangleDraw::draw(const SceneBuffers& scene)

@@ -1,4 +1,5 @@
-// triangle_draw.h - all triangles of a scene as a pencil sees them, for the passes that make items.
+// triangle_draw.h - draws all triangles of a scene in a pencil's eye space, for the passes that
+// make items.
 #pragma once
 
 #include "exact/pencil.h"
@@ -8,16 +9,16 @@
 
 namespace firsthit::gl {
 
-/// From directions of the pencil (eye space after the division by z) to -1 .. 1, where sample i of the
-/// viewport has its centre at i + 1/2: x scale + shift.
+/// Maps directions of the pencil (eye space divided by z) to clip space, -1 to 1, so that sample i
+/// has its centre at i + 1/2 of the viewport: clip = scale * direction + shift.
 struct SampleToClip {
     GLfloat scale[2];
     GLfloat shift[2];
 };
 SampleToClip sample_to_clip(const Pencil& pencil);
 
-/// Draws with the program in use, whose attribute 0 is a corner in eye space, and gl_PrimitiveID the
-/// triangle's number.
+/// Draws with the current program. Attribute kEyeAttribute is a corner in eye space; gl_PrimitiveID
+/// is the number of the triangle.
 class TriangleDraw {
   public:
     TriangleDraw();

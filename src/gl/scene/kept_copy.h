@@ -1,4 +1,4 @@
-// kept_copy.h - have these bytes changed since they were last looked at?
+// kept_copy.h - tells whether an array has changed since it was last uploaded.
 #pragma once
 
 #include "base/buffer.h"
@@ -8,11 +8,12 @@
 
 namespace firsthit::gl {
 
-/// A copy of an array: comparing is certain, where addresses and sizes may come again.
+/// A copy of an array, to compare with. Comparing the bytes is certain; another array may have the
+/// same address and size.
 template <class T>
 class KeptCopy {
   public:
-    /// Whether the values are new; then they are copied.
+    /// Returns whether the values differ from the copy. If so, updates the copy.
     bool follow(std::span<const T> values)
     {
         const std::size_t bytes = values.size_bytes();
@@ -26,7 +27,7 @@ class KeptCopy {
         return true;
     }
 
-    /// The next look says that they have changed, until keep().
+    /// Until keep(), the next call of follow() returns true whatever the values are.
     void forget() { kept_ = false; }
     void keep() { kept_ = true; }
 

@@ -1,4 +1,4 @@
-// light_tables.cpp - lights and shadow maps as shaders read them.
+// light_tables.cpp - tables of lights and shadow maps for shaders.
 #include "gl/scene/light_tables.h"
 
 #include "shade/shade_light.h"
@@ -11,12 +11,13 @@ namespace {
 
 static_assert(kFaces == firsthit::kFaces);
 
-constexpr float kRounding = 0x1p-20f; // as shadow/sample_shadow_map.cpp
+constexpr float kRounding = 0x1p-20f; // the same as in shadow/map/sample_shadow_map.cpp
 
-/// Half as much again as a plane needs: neighbours of a triangle are not in its plane.
+/// Factor of the slope bias, the same as in shadow/map/sample_shadow_map.cpp: neighbouring
+/// triangles are not in the receiver's plane.
 constexpr double kNeighbours = 1.5;
 
-/// The face of a light that all its hits are on, or -1.
+/// The face that all hits of a light lie on, or -1 if there are several.
 int only_face(const ShadowLight& light)
 {
     int faces = 0, only = -1;
@@ -48,7 +49,8 @@ void fill_lights(const World& world, const Rays& rays, std::span<const ShadowLig
             .inv_width = shade.cone.inv_width,
             .frame_y = glm::vec3(rows[1]),
             .cube = axes.cube,
-            .frame_z = glm::vec3(rows[2])});
+            .frame_z = glm::vec3(rows[2]),
+            .inv_range2 = shade.inv_range2});
     }
 }
 

@@ -1,4 +1,4 @@
-// light_tables.h - lights and shadow maps as shaders read them.
+// light_tables.h - tables of lights and shadow maps for shaders.
 #pragma once
 
 #include "exact/rays.h"
@@ -12,15 +12,15 @@
 
 namespace firsthit::gl {
 
-/// (lights) Fills in all but only_face where there are no maps yet.
-/// rays  in world space, of (X, Y, 1) in eye space: x0 = y0 = 0
-/// maps  of the world's lights, or empty
+/// Fills the table of lights, (lights).
+/// rays  the world-space rays of (X, Y, 1) in eye space: x0 = y0 = 0
+/// maps  of the world's lights; or empty, then only_face is -1
 void fill_lights(const World& world, const Rays& rays, std::span<const ShadowLight> maps,
     std::vector<LightData>& lights);
 
-/// (lights, kFaces). A face without a map has width 0.
-/// first   (lights, kFaces) where each map's texels begin
-/// filter  N: N x N texels are compared
+/// Fills the table of maps, (lights, kFaces). A face without a map has width 0.
+/// first   (lights, kFaces) index of each map's first texel
+/// filter  N, for N x N filtering
 void fill_maps(std::span<const ShadowLight> lights, const Rays& rays,
     std::span<const std::uint32_t> first, int filter, std::vector<MapData>& maps);
 

@@ -1,4 +1,4 @@
-// material_buffers.cpp - materials and textures where shaders read them.
+// material_buffers.cpp - uploads materials and textures for shaders.
 #include "gl/scene/material_buffers.h"
 
 #include "gl/bindings.h"
@@ -21,11 +21,17 @@ constexpr std::size_t kTexelWords = sizeof(Texel) / sizeof(std::uint32_t);
 void fill_materials(const Scene& scene, std::vector<MaterialTexels>& all)
 {
     all.clear();
+    const auto has_levels = [&](std::int32_t texture) {
+        return texture >= 0 && std::size_t(texture) < scene.textures.size() &&
+               scene.textures[std::size_t(texture)].levels() > 0;
+    };
+    const auto is_drawn = [&](const TextureRef& map) {
+        return !(map.uv_set == 0 ? scene.uv : scene.uv1).empty() && has_levels(map.texture);
+    };
     for (const Material& material : scene.materials) {
         const std::int32_t texture = texture_number(material);
-        const bool drawn = texture >= 0 && std::size_t(texture) < scene.textures.size() &&
-                           scene.textures[std::size_t(texture)].levels() > 0;
-        all.push_back(material_texels(material, drawn ? texture : -1));
+        const bool drawn = has_levels(texture) && !scene.uv.empty();
+        all.push_back(material_texels(material, drawn ? texture : -1, is_drawn));
     }
 }
 
@@ -37,14 +43,16 @@ int only_model_of(const Scene& scene)
     return std::any_of(scene.materials.begin(), scene.materials.end(), other) ? -1 : int(first);
 }
 
-/// What comes before the texels; their places are filled in.
+/// Fills in the tables that precede the texels, with the positions of the texels.
 void fill_tables(const Scene& scene, std::vector<std::uint32_t>& words)
 {
     words.clear();
     std::size_t row = 4 * scene.textures.size(), levels = 0;
     for (const Texture& texture : scene.textures) {
         words.push_back(std::uint32_t(row + levels));
-        words.push_back(std::uint32_t(texture.levels()));
+        const Sampler& sampler = texture.sampler();
+        words.push_back(std::uint32_t(texture.levels()) | std::uint32_t(sampler.wrap_u) << 8 |
+                        std::uint32_t(sampler.wrap_v) << 12 | std::uint32_t(sampler.nearest) << 16);
         words.push_back(std::uint32_t(texture.width()));
         words.push_back(std::uint32_t(texture.height()));
         levels += std::size_t(texture.levels());
@@ -58,7 +66,7 @@ void fill_tables(const Scene& scene, std::vector<std::uint32_t>& words)
     }
 }
 
-/// Calls body(its texels' bytes, their place among the words) for all textures.
+/// Calls body(bytes of its texels, index of its first word) for each texture.
 template <class Body>
 void for_textures(const Scene& scene, std::size_t first, const Body& body)
 {

@@ -1,6 +1,7 @@
-// scene_buffers.cpp - a world's triangles on OpenGL: what never moves goes there once.
+// scene_buffers.cpp - uploads a scene to OpenGL and poses its vertices there.
 #include "gl/scene/scene_buffers.h"
 
+#include "gl/bindings.h"
 #include "gl/device/program.h"
 #include "scene/animate/pose_kernel.h"
 
@@ -15,22 +16,22 @@
 namespace firsthit::gl {
 namespace {
 
-/// Of pose.comp.
+/// Work group size of pose.comp, and the largest row of work groups that is dispatched.
 constexpr std::uint32_t kGroup = 64;
 constexpr std::uint32_t kGroupsInRow = 32768;
 
-/// Blocks may start at these offsets: no driver asks for more.
+/// Alignment of storage blocks inside a buffer, bytes. No driver needs more.
 constexpr std::size_t kBlockAlignment = 256;
 
-bool is_moving(const Part& part)
+bool is_moving(const Instance& instance)
 {
-    return !part.morph.empty() || bool(part.deform);
+    return instance.changes_shape();
 }
 
 MatrixData matrix_data(const glm::dmat4& world_from_node, bool visible)
 {
     MatrixData data;
-    if (!visible) { // collapsed to a point, as on the CPU
+    if (!visible) { // collapses to a point, as on the CPU
         for (int r = 0; r < 3; ++r) data.world[r].w = float(world_from_node[3][r]);
         return data;
     }
@@ -65,7 +66,7 @@ void SceneBuffers::pose(const World& world, const Pencil& pencil)
 void SceneBuffers::lend_eye_space(
     const World& world, const Pencil& pencil, std::span<const glm::vec4> corner)
 {
-    // Surfaces need the rest of what posing makes; items need nothing but what is lent.
+    // Surfaces need the other results of posing, too. Items need only the eye space.
     if (detail_ == Detail::surfaces) {
         if (update(world, pencil)) {
             run_pose();
@@ -76,7 +77,7 @@ void SceneBuffers::lend_eye_space(
         upload_scene(*world.scene);
     }
     if (kept_lent_.follow(corner.first(vertices_)) || !eye_is_lent_) {
-        eye_is_lent_ = false; // until it is there
+        eye_is_lent_ = false; // until the upload is done
         eye_.resize(vertices_ * sizeof(glm::vec4));
         eye_.upload(0, corner.data(), vertices_ * sizeof(glm::vec4));
         uploaded_bytes_ += vertices_ * sizeof(glm::vec4);
@@ -85,8 +86,8 @@ void SceneBuffers::lend_eye_space(
     check("uploading vertices");
 }
 
-/// Everything that posing reads.
-/// returns  whether something is new
+/// Uploads everything that posing reads.
+/// returns  whether anything of it has changed
 bool SceneBuffers::update(const World& world, const Pencil& pencil)
 {
     check_sizes(*world.scene);
@@ -95,9 +96,10 @@ bool SceneBuffers::update(const World& world, const Pencil& pencil)
     eye_point_ = pencil.eye;
     eye_from_world_ = pencil.eye_from_world;
     bool is_new = upload_scene(*world.scene);
-    is_new |= upload_parts(*world.scene);
+    is_new |= upload_instances(*world.scene);
     is_new |= upload_matrices(world);
     is_new |= upload_moving(world);
+    upload_tangents(world); // not read by posing
     check("uploading the scene");
     return is_new || !same_eye;
 }
@@ -116,19 +118,19 @@ void SceneBuffers::check_sizes(const Scene& scene) const
     check_size("triangles", scene.index.size(), sizeof(glm::uvec3));
 }
 
-/// Uploads an array where it is not the one that was uploaded last.
+/// Uploads an array if it differs from its last upload.
 template <class T>
 bool SceneBuffers::upload_new(std::span<const T> values, KeptCopy<T>& kept, Buffer& buffer)
 {
     if (!kept.follow(values)) return false;
-    kept.forget(); // until it is there
+    kept.forget(); // until the upload is done
     buffer.assign(values);
     uploaded_bytes_ += values.size_bytes();
     kept.keep();
     return true;
 }
 
-/// What does not depend on parts.
+/// Uploads the arrays that do not depend on scene instances.
 bool SceneBuffers::upload_scene(const Scene& scene)
 {
     const auto span = [](const auto& values) { return std::span(values.data(), values.size()); };
@@ -136,51 +138,56 @@ bool SceneBuffers::upload_scene(const Scene& scene)
     vertices_ = std::uint32_t(scene.vertices);
     triangles_ = std::uint32_t(scene.index.size());
     has_uv_ = !scene.uv.empty();
-    upload_new(span(scene.index), kept_index_, index_); // not read by posing
+    has_uv1_ = !scene.uv1.empty();
+    has_color_ = !scene.color.empty();
+    upload_new(span(scene.index), kept_index_, index_); // posing does not read it
     is_new |= upload_new(span(scene.position), kept_rest_position_, rest_position_);
     if (detail_ == Detail::items) return is_new;
     is_new |= upload_new(span(scene.normal), kept_rest_normal_, rest_normal_);
     upload_new(span(scene.uv), kept_uv_, uv_);
+    upload_new(span(scene.uv1), kept_uv1_, uv1_);
+    upload_new(span(scene.color), kept_color_, color_);
     return is_new;
 }
 
-/// The parts' table, and what each vertex and triangle has from its part.
-bool SceneBuffers::upload_parts(const Scene& scene)
+/// Uploads the table of scene instances, the instance of each vertex, and the material of each triangle.
+bool SceneBuffers::upload_instances(const Scene& scene)
 {
-    parts_.clear();
+    instances_.clear();
     std::uint32_t moving = 0;
-    for (const Part& part : scene.parts) {
-        PartData data;
-        data.moving = is_moving(part);
-        data.matrix = part.node;
+    for (const Instance& instance : scene.instances) {
+        InstanceData data;
+        data.moving = is_moving(instance);
+        data.matrix = instance.node;
         data.first = moving;
-        data.first_vertex = part.first_vertex;
-        data.vertex_count = part.vertex_count;
-        data.material = part.material;
-        if (data.moving) moving += part.vertex_count;
-        parts_.push_back(data);
+        data.first_vertex = instance.first_vertex;
+        data.vertex_count = instance.vertex_count;
+        data.material = instance.material;
+        if (data.moving) moving += instance.vertex_count;
+        instances_.push_back(data);
     }
-    const bool new_parts = upload_new(std::span<const PartData>(parts_), kept_part_, part_);
-    if (new_parts) {
+    const bool new_instances =
+        upload_new(std::span<const InstanceData>(instances_), kept_instance_, instance_);
+    if (new_instances) {
         scratch_.assign(scene.vertices, 0);
-        for (std::size_t p = 0; p < scene.parts.size(); ++p)
-            std::fill_n(scratch_.begin() + scene.parts[p].first_vertex, scene.parts[p].vertex_count,
-                std::uint32_t(p));
-        part_of_.assign(std::span<const std::uint32_t>(scratch_));
+        for (std::size_t p = 0; p < scene.instances.size(); ++p)
+            std::fill_n(scratch_.begin() + scene.instances[p].first_vertex,
+                scene.instances[p].vertex_count, std::uint32_t(p));
+        instance_of_.assign(std::span<const std::uint32_t>(scratch_));
         uploaded_bytes_ += scratch_.size() * sizeof(std::uint32_t);
     }
     if (detail_ == Detail::surfaces &&
-        (kept_owner_.follow(std::span(scene.owner.data(), scene.owner.size())) || new_parts)) {
+        (kept_owner_.follow(std::span(scene.owner.data(), scene.owner.size())) || new_instances)) {
         scratch_.clear();
         for (const std::uint32_t owner : scene.owner)
-            scratch_.push_back(scene.parts[owner].material);
+            scratch_.push_back(scene.instances[owner].material);
         material_.assign(std::span<const std::uint32_t>(scratch_));
         uploaded_bytes_ += scratch_.size() * sizeof(std::uint32_t);
     }
-    return new_parts;
+    return new_instances;
 }
 
-/// The matrices of nodes that parts hang on, where they differ from the last frame's.
+/// Uploads the matrices of the scene instances' nodes that have changed since the last frame.
 bool SceneBuffers::upload_matrices(const World& world)
 {
     const bool resized = matrices_.size() != world.node_matrix.size();
@@ -190,13 +197,13 @@ bool SceneBuffers::upload_matrices(const World& world)
         uploaded_bytes_ += matrices_.size() * sizeof(MatrixData);
     }
     bool is_new = resized;
-    std::size_t last = matrices_.size(); // parts of one node mostly follow each other
-    for (const PartData& part : parts_) {
-        const std::size_t node = part.matrix;
-        if (node == last || part.moving || part.vertex_count == 0) continue;
+    std::size_t last = matrices_.size(); // consecutive instances often have the same node
+    for (const InstanceData& instance : instances_) {
+        const std::size_t node = instance.matrix;
+        if (node == last || instance.moving || instance.vertex_count == 0) continue;
         last = node;
         const MatrixData data = matrix_data(world.node_matrix[node], world.node_visible[node] != 0);
-        if (matrices_[node] == data) continue;
+        if (std::memcmp(&matrices_[node], &data, sizeof data) == 0) continue;
         matrix_.upload(node * sizeof(MatrixData), &data, sizeof(MatrixData));
         matrices_[node] = data;
         uploaded_bytes_ += sizeof(MatrixData);
@@ -205,35 +212,36 @@ bool SceneBuffers::upload_matrices(const World& world)
     return is_new;
 }
 
-/// World-space vertices of the parts that morph or deform, into the segment that is not in use.
+/// Uploads the world-space vertices of the instances that morph or deform, to the segment that is not
+/// in use.
 bool SceneBuffers::upload_moving(const World& world)
 {
     moving_position_.clear();
     moving_normal_.clear();
-    std::size_t count = 0, moving_parts = 0;
-    const PartData* only = nullptr;
-    for (const PartData& part : parts_) {
-        if (!part.moving) continue;
-        count += part.vertex_count;
-        ++moving_parts;
-        only = &part;
+    std::size_t count = 0, moving_instances = 0;
+    const InstanceData* only = nullptr;
+    for (const InstanceData& instance : instances_) {
+        if (!instance.moving) continue;
+        count += instance.vertex_count;
+        ++moving_instances;
+        only = &instance;
     }
     if (count == 0) {
         ring_.segment_bytes = 0;
         if (ring_.buffer.capacity() == 0) ring_.buffer.resize(4);
         return false;
     }
-    // One part is read where it is; several are gathered.
+    // A single instance is copied from the world; several are gathered first.
     std::span<const glm::vec3> position, normal;
     const bool surfaces = detail_ == Detail::surfaces;
-    if (moving_parts == 1) {
+    if (moving_instances == 1) {
         position = std::span(world.position).subspan(only->first_vertex, count);
         normal = std::span(world.normal).subspan(only->first_vertex, count);
     } else {
-        for (const PartData& part : parts_) {
-            if (!part.moving) continue;
-            const auto first = std::ptrdiff_t(part.first_vertex);
-            const auto last = first + std::ptrdiff_t(part.vertex_count);
+        for (const InstanceData& instance : instances_) {
+            if (!instance.moving) continue;
+            const auto first = std::ptrdiff_t(instance.first_vertex);
+            const auto last = first + std::ptrdiff_t(instance.vertex_count);
             moving_position_.insert(moving_position_.end(), world.position.begin() + first,
                 world.position.begin() + last);
             if (surfaces)
@@ -268,6 +276,14 @@ bool SceneBuffers::upload_moving(const World& world)
     return true;
 }
 
+/// As the CPU has posed them.
+void SceneBuffers::upload_tangents(const World& world)
+{
+    has_tangent_ = !world.tangent.empty();
+    if (detail_ == Detail::surfaces)
+        upload_new(std::span(world.tangent.data(), world.tangent.size()), kept_tangent_, tangent_);
+}
+
 void SceneBuffers::run_pose()
 {
     eye_.resize(vertices_ * sizeof(glm::vec4));
@@ -283,23 +299,23 @@ void SceneBuffers::run_pose()
     glUniform3d(eye_point_location_, eye_point_.x, eye_point_.y, eye_point_.z);
     const glm::dmat3 rows = glm::transpose(eye_from_world_);
     glUniform3dv(eye_row_location_, 3, &rows[0].x);
-    matrix_.bind_storage(0);
-    part_.bind_storage(1);
-    part_of_.bind_storage(2);
-    rest_position_.bind_storage(3);
+    matrix_.bind_storage(kPoseMatricesBlock);
+    instance_.bind_storage(kPoseInstancesBlock);
+    instance_of_.bind_storage(kPoseInstanceOfVertexBlock);
+    rest_position_.bind_storage(kPoseRestPositionsBlock);
     const bool moving = ring_.segment_bytes > 0;
     const auto bind_moving = [&](GLuint binding, std::size_t offset, std::size_t bytes) {
         if (!moving) return ring_.buffer.bind_storage(binding);
         glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, ring_.buffer.name(),
             GLintptr(ring_.segment * ring_.segment_bytes + offset), GLsizeiptr(bytes));
     };
-    bind_moving(4, 0, ring_.normal_offset);
-    eye_.bind_storage(5);
+    bind_moving(kPoseMovingPositionsBlock, 0, ring_.normal_offset);
+    eye_.bind_storage(kPoseEyeBlock);
     if (surfaces) {
-        rest_normal_.bind_storage(6);
-        bind_moving(7, ring_.normal_offset, ring_.normal_offset);
-        world_.bind_storage(8);
-        normal_.bind_storage(9);
+        rest_normal_.bind_storage(kPoseRestNormalsBlock);
+        bind_moving(kPoseMovingNormalsBlock, ring_.normal_offset, ring_.normal_offset);
+        world_.bind_storage(kPoseWorldBlock);
+        normal_.bind_storage(kPoseNormalsBlock);
     }
     const std::uint32_t groups = (vertices_ + kGroup - 1) / kGroup;
     const std::uint32_t columns = std::min(groups, kGroupsInRow);

@@ -1,8 +1,8 @@
-// average.frag - a pixel's colour: the mean of its N x N samples, of those that were found.
+// average.frag - the colour of a pixel: the mean of those of its N x N samples that are not holes.
 #include "frame.glsl"
 
-layout(binding = 3) uniform sampler2D colors;
-layout(location = 0) uniform int samples; // N
+layout(binding = kColorsUnit) uniform sampler2D colors;
+layout(location = kAverageSamples) uniform int samples; // N
 layout(location = 0) out vec4 color_out;
 
 void main()

@@ -1,7 +1,7 @@
-// count_invocations.glsl - counts the samples that a shader runs for, for tests.
+// count_invocations.glsl - counts the invocations of a shader, for tests.
 
 #ifdef FIRSTHIT_COUNT_INVOCATIONS
-layout(std430, binding = 0) buffer Invocations { uint invocations; };
+layout(std430, binding = kResultBlock) buffer Invocations { uint invocations; };
 #endif
 
 void count_invocation()

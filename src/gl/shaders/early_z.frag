@@ -1,5 +1,5 @@
-// early_z.frag - masks the samples that have nothing to shade: depth is written only where an item
-// may be hit, and the passes after this one ask for that depth before their shaders run.
+// early_z.frag - masks the samples that have nothing to shade. Writes depth only for samples whose
+// ray may hit an item. The following passes test for this depth before their shaders run.
 //
 // source  Robert and Schoepke 2006, section 4.2.2
 #include "frame.glsl"
@@ -10,7 +10,7 @@ void main()
 {
     ivec2 at = ivec2(gl_FragCoord.xy);
     if (!is_shot(at)) discard;
-    // Where every sample tries its neighbours' items, one of them is enough.
+    // If every sample tests the items of its neighbours, one neighbour with an item is enough.
     int reach = FIRSTHIT_TEST == 3 ? frame.reach : 0;
     bool found = false;
     for (int y = -reach; y <= reach; ++y)

@@ -1,22 +1,22 @@
-// fill_holes.frag - gives samples that nothing was found for, or that were not shot, the colours
-// around them: src/film/fill_holes.h.
+// fill_holes.frag - gives holes the mean of the colours around them, as src/film/fill_holes.h.
+// Holes are samples whose triangle was not found or whose ray was not shot.
 //
 // source  Robert and Schoepke 2006, section 4.1
 #include "frame.glsl"
 
-layout(binding = 3) uniform sampler2D colors;
+layout(binding = kColorsUnit) uniform sampler2D colors;
 layout(location = 0) out vec4 color_out;
 
 const int kReach = 16;
 
-/// The samples of the smallest window around the hole that has any which are no holes, weighted by
-/// 1 / distance^2.
+/// The sum, weighted by 1 / distance^2, of the samples that are not holes in the smallest window
+/// around the hole that has such samples. Alpha is the sum of the weights; 0 if there are none.
 vec4 color_around(ivec2 at)
 {
     vec4 sum = vec4(0.0);
     for (int reach = 1; reach <= kReach && sum.a == 0.0; ++reach)
         for (int y = -reach; y <= reach; ++y) {
-            // Of the window's inner rows only the ends are new.
+            // In the inner rows of the window only the ends are new.
             int step = abs(y) == reach ? 1 : 2 * reach;
             for (int x = -reach; x <= reach; x += step) {
                 ivec2 p = at + ivec2(x, y);

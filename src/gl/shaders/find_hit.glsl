@@ -1,11 +1,12 @@
-// find_hit.glsl - which triangle does a sample's ray hit, and where?
+// find_hit.glsl - finds the triangle that the ray of a sample hits, and the hit.
 //
 // source  Robert and Schoepke 2006, sections 4.1 (lazy multisampling) and 4.2.1
 
-const uint kHole = 0xFFFFFFFEu; // there is an item, but no triangle that is hit; or not shot
+const uint kHole = kNoItem - 1u; // there is an item, but no triangle that is hit; or not shot
 
-// FIRSTHIT_TEST: what the ray does where the item's triangle is missed. Variants of the shader:
-// drivers that run many samples side by side run both sides of a branch.
+// FIRSTHIT_TEST: what is done if the ray misses the triangle of its item; see HitTest. These are
+// variants of the shader and not branches, because drivers that run many samples together execute
+// both sides of a branch.
 #define TAKE_ITEM 0 // the items are exact: nothing is missed
 #define TEST_ITEM 1 // a hole
 #define TRY_NEIGHBOURS 2 // the nearest hit among the items around
@@ -13,7 +14,7 @@ const uint kHole = 0xFFFFFFFEu; // there is an item, but no triangle that is hit
 
 struct Hit {
     uint item;
-    float t; // depth
+    float t; // depth, world units
     float u, v; // weights of corners 1 and 2
 };
 
@@ -24,7 +25,7 @@ bool is_hit(Hit hit)
 
 #ifdef FIRSTHIT_STORED_HITS
 
-layout(binding = 2) uniform usampler2D hits;
+layout(binding = kHitsUnit) uniform usampler2D hits;
 
 Hit find_hit(ivec2 sample_at)
 {
@@ -43,7 +44,8 @@ TriangleHit test_triangle(uint triangle, vec3 d)
 }
 
 #if FIRSTHIT_TEST == TRY_NEIGHBOURS || FIRSTHIT_TEST == TRY_ALL
-/// The nearest hit among the items around the sample, the lowest id where two are as near.
+/// The nearest hit among the items around the sample; the lowest id among hits at the same depth.
+/// otherwise  the result if the ray hits none of them
 Hit nearest_around(ivec2 sample_at, vec3 d, Hit otherwise)
 {
     Hit nearest = otherwise;

@@ -1,4 +1,4 @@
-// hit_texels.glsl - a hit as it is kept between passes: RGBA32UI.
+// hit_texels.glsl - packs a hit into a texel of format RGBA32UI, which is kept between passes.
 
 uvec4 hit_texel(Hit hit)
 {

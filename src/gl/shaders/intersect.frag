@@ -1,4 +1,5 @@
-// intersect.frag - shoots each sample's ray at the triangle of its item, where early_z.frag left it.
+// intersect.frag - intersects the ray of each sample with the triangle of its item; skips the
+// samples that early_z.frag masked.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"

@@ -1,3 +1,4 @@
-// materials.glsl - the scene's materials; models.glsl (material/glsl_models.h) fetches them.
+// materials.glsl - the buffer of the scene's materials, which models.glsl reads
+// (material/glsl_models.h).
 
-layout(binding = 11) uniform samplerBuffer materials; // material/texels.h
+layout(binding = kMaterialsUnit) uniform samplerBuffer materials; // material/texels.h

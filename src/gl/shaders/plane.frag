@@ -1,4 +1,5 @@
-// plane.frag - one plane of the film, FIRSTHIT_PLANE: the number of an Aov (firsthit/film.h).
+// plane.frag - draws one plane of the film. FIRSTHIT_PLANE is its number in the enum Aov
+// (firsthit/film.h).
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
@@ -6,12 +7,14 @@
 #include "find_hit.glsl"
 #include "hit_position.glsl"
 #include "spot_cone.glsl"
+#include "falloff.glsl"
 #include "power.glsl"
 #include "texture.glsl"
 #include "shadow_map.glsl"
 #include "surface.glsl"
 #include "materials.glsl"
 #include "models.glsl"
+#include "environment_tables.glsl"
 #include "sample_texture.glsl"
 #include "find_surface.glsl"
 #include "lights.glsl"
@@ -22,7 +25,7 @@
 layout(location = 0) out uvec4 plane_out;
 #else
 layout(location = 0) out vec4 plane_out;
-layout(location = 0) uniform int light_id; // of the plane `lit`
+layout(location = kPlaneLight) uniform int light_id; // for the plane `lit`
 #endif
 
 void main()
@@ -53,7 +56,12 @@ void main()
 #elif FIRSTHIT_PLANE == 6 // position
     plane_out.xyz = surface.position;
 #elif FIRSTHIT_PLANE == 7 // albedo
-    plane_out.xyz = albedo(inputs_of(seen.material, texture_of(seen)));
+    plane_out.xyz = albedo(material_at(seen));
+#elif FIRSTHIT_PLANE == 14 // metallic_roughness
+    Inputs inputs = material_at(seen);
+    plane_out.xy = vec2(metallic(inputs), roughness(inputs));
+#elif FIRSTHIT_PLANE == 15 // emission
+    plane_out.xyz = emission(material_at(seen));
 #elif FIRSTHIT_PLANE == 9 // lit
     plane_out.x = lit_by(light_id, at, hit, seen);
 #endif

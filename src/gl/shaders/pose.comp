@@ -1,34 +1,24 @@
-// pose.comp - moves every vertex to where it is at the frame's time: see gl/scene/scene_buffers.h.
+// pose.comp - computes the position of every vertex at the frame's time: see
+// gl/scene/scene_buffers.h.
 //
-// SURFACES 1: world positions and normals too, not eye space alone.
+// SURFACES 1: writes world positions and normals as well as positions in eye space.
 
 layout(local_size_x = 64) in;
 
-struct MatrixData {
-    vec4 world[3];
-    vec4 normal[3];
-};
+#include "gl/bindings.glsl"
+#include "gl/pose_layout.glsl"
 
-struct PartData {
-    uint matrix;
-    uint moving;
-    uint first;
-    uint first_vertex;
-    uint vertex_count;
-    uint material;
-};
-
-layout(std430, binding = 0) readonly buffer Matrices { MatrixData matrix[]; };
-layout(std430, binding = 1) readonly buffer Parts { PartData part[]; };
-layout(std430, binding = 2) readonly buffer PartOf { uint part_of[]; };
-layout(std430, binding = 3) readonly buffer RestPosition { float rest_position[]; };
-layout(std430, binding = 4) readonly buffer MovingPosition { float moving_position[]; };
-layout(std430, binding = 5) writeonly buffer Eye { vec4 eye[]; };
+layout(std430, binding = kPoseMatricesBlock) readonly buffer Matrices { MatrixData matrix[]; };
+layout(std430, binding = kPoseInstancesBlock) readonly buffer Instances { InstanceData instance[]; };
+layout(std430, binding = kPoseInstanceOfVertexBlock) readonly buffer InstanceOf { uint instance_of[]; };
+layout(std430, binding = kPoseRestPositionsBlock) readonly buffer RestPosition { float rest_position[]; };
+layout(std430, binding = kPoseMovingPositionsBlock) readonly buffer MovingPosition { float moving_position[]; };
+layout(std430, binding = kPoseEyeBlock) writeonly buffer Eye { vec4 eye[]; };
 #if SURFACES
-layout(std430, binding = 6) readonly buffer RestNormal { float rest_normal[]; };
-layout(std430, binding = 7) readonly buffer MovingNormal { float moving_normal[]; };
-layout(std430, binding = 8) writeonly buffer World { vec4 world[]; };
-layout(std430, binding = 9) writeonly buffer Normal { vec4 normal[]; };
+layout(std430, binding = kPoseRestNormalsBlock) readonly buffer RestNormal { float rest_normal[]; };
+layout(std430, binding = kPoseMovingNormalsBlock) readonly buffer MovingNormal { float moving_normal[]; };
+layout(std430, binding = kPoseWorldBlock) writeonly buffer World { vec4 world[]; };
+layout(std430, binding = kPoseNormalsBlock) writeonly buffer Normal { vec4 normal[]; };
 #endif
 
 uniform uint vertices;
@@ -37,11 +27,11 @@ uniform dvec3 eye_row[3]; // of eye_from_world
 
 void main()
 {
-    // One row of groups is too short for all vertices.
+    // Groups are dispatched in rows, because one row may be too short for all vertices.
     uint vertex = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x
         + gl_LocalInvocationID.x;
     if (vertex >= vertices) return;
-    PartData from = part[part_of[vertex]];
+    InstanceData from = instance[instance_of[vertex]];
     uint at = 3u * (from.moving != 0u ? from.first + (vertex - from.first_vertex) : vertex);
     vec3 p;
     if (from.moving != 0u)
@@ -49,13 +39,14 @@ void main()
     else
         p = vec3(rest_position[at], rest_position[at + 1u], rest_position[at + 2u]);
     uint m = from.matrix;
-    // In the order of src/scene/pose_kernel.cpp, then of src/visibility/project.cpp: the same bits.
+    // The operations have the order of scene/animate/pose_kernel.cpp, then of
+    // visibility/bin/project.cpp, so that the results have the same bits.
     precise vec3 p_world;
     for (int row = 0; row < 3; ++row) {
         vec4 w = matrix[m].world[row];
         p_world[row] = ((w.x * p.x + w.y * p.y) + w.z * p.z) + w.w;
     }
-    if (from.moving != 0u) p_world = p; // as it is
+    if (from.moving != 0u) p_world = p; // is in world space already
     precise dvec3 d = dvec3(p_world) - eye_point;
     precise vec3 p_eye;
     for (int row = 0; row < 3; ++row)
@@ -73,7 +64,7 @@ void main()
     vec3 moved = vec3(dot(matrix[m].normal[0].xyz, n), dot(matrix[m].normal[1].xyz, n),
         dot(matrix[m].normal[2].xyz, n));
     float length2 = dot(moved, moved);
-    bool has_direction = length2 >= 1e-30 && length2 <= 3.4e38; // of about 1
+    bool has_direction = length2 >= 1e-30 && length2 <= 3.4e38; // the length is about 1
     normal[vertex] = vec4(has_direction ? moved / sqrt(length2) : vec3(0.0, 0.0, 1.0), 0.0);
 #endif
 }

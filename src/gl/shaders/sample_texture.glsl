@@ -1,34 +1,37 @@
-// sample_texture.glsl - the texture's colour at a sample, trilinear: src/shade/sample_texture-inl.h.
+// sample_texture.glsl - samples a texture trilinearly, as src/shade/sample_texture-inl.h.
 //
-// All texels of all textures lie in one buffer (gl/scene/material_buffers.h): any number of textures of any
-// size, and the texels' weights are the text's own, not a texture unit's 8 bits.
+// The texels of all textures are in one buffer (gl/scene/material_buffers.h), so there is no limit
+// on the number and size of textures. The weights are computed here, because those of texture units
+// have 8 bits.
 
-layout(binding = 12) uniform usamplerBuffer texture_words;
+layout(binding = kTexturesUnit) uniform usamplerBuffer texture_words;
 
 uint texture_word(uint at)
 {
     return texelFetch(texture_words, int(at)).x;
 }
 
-/// Of level 0, texels.
+/// Width and height of level 0, texels.
 vec2 texture_size(int texture_id)
 {
     uint row = 4u * uint(texture_id);
     return vec2(texture_word(row + 2u), texture_word(row + 3u));
 }
 
-/// Red, green and blue, 0 to -32768.
-ivec3 fetch_texel(uint at)
+/// Red, green, blue and alpha of a texel, 0 to -32768.
+/// at  index of its first word
+ivec4 fetch_texel(uint at)
 {
     int red_green = int(texture_word(at));
     int blue_alpha = int(texture_word(at + 1u));
-    return ivec3(red_green << 16, red_green, blue_alpha << 16) >> 16;
+    return ivec4(red_green << 16, red_green, blue_alpha << 16, blue_alpha) >> 16;
 }
 
-/// The sum of the weighted texels of a level.
-ivec3 sample_level(uint first, vec2 at, vec2 size, int weight)
+/// The weighted sum of four texels of a level. `weight` is the sum of their weights.
+ivec4 sample_level(uint first, vec2 at, vec2 size, bool nearest, int weight)
 {
-    Texels texels = bilinear_texels(at.x, at.y, size.x, size.y);
+    Texels texels = nearest ? nearest_texels(at.x, at.y, size.x, size.y)
+                            : bilinear_texels(at.x, at.y, size.x, size.y);
     TexelWeights weights = texel_weights(texels, weight);
     uint top = first + 2u * uint(texels.top);
     uint bottom = first + 2u * uint(texels.bottom);
@@ -38,20 +41,23 @@ ivec3 sample_level(uint first, vec2 at, vec2 size, int weight)
 }
 
 /// source  Williams 1983, "Pyramidal parametrics"
-vec3 sample_texture(int texture_id, vec2 uv, float length2)
+vec4 sample_texture(int texture_id, vec2 uv, float length2)
 {
     uint row = 4u * uint(texture_id);
     uint levels = texture_word(row);
+    uint sampler_word = texture_word(row + 1u);
+    bool nearest = (sampler_word >> 16) != 0u;
     vec2 size = texture_size(texture_id);
-    vec2 at = vec2(repeat(uv.x), 1.0 - repeat(uv.y));
-    float level = mip_level(length2, float(texture_word(row + 1u) - 1u));
+    vec2 at = vec2(wrapped(uv.x, int(sampler_word >> 8 & 15u)),
+        1.0 - wrapped(uv.y, int(sampler_word >> 12 & 15u)));
+    float level = mip_level(length2, nearest ? 0.0 : float((sampler_word & 255u) - 1u));
     float finer = floor(level);
     int coarse = whole_to_integer((level - finer) * 32767.0);
 
-    ivec3 sum = sample_level(texture_word(levels + uint(finer)), at,
-        vec2(level_size(size.x, finer), level_size(size.y, finer)), whole_weight() - coarse);
+    ivec4 sum = sample_level(texture_word(levels + uint(finer)), at,
+        vec2(level_size(size.x, finer), level_size(size.y, finer)), nearest, whole_weight() - coarse);
     if (coarse > 0)
         sum += sample_level(texture_word(levels + uint(finer) + 1u), at,
-            vec2(level_size(size.x, finer + 1.0), level_size(size.y, finer + 1.0)), coarse);
-    return vec3(texel_light(sum.x), texel_light(sum.y), texel_light(sum.z));
+            vec2(level_size(size.x, finer + 1.0), level_size(size.y, finer + 1.0)), nearest, coarse);
+    return vec4(texel_light(sum.x), texel_light(sum.y), texel_light(sum.z), texel_light(sum.w));
 }

@@ -1,4 +1,5 @@
-// screen.vert - one triangle that occluders the picture: each pixel runs the fragment shader once.
+// screen.vert - one triangle that covers the picture, so that the fragment shader runs once for
+// each pixel.
 
 void main()
 {

@@ -1,4 +1,4 @@
-// depth_pass.cpp - shadow maps drawn by OpenGL.
+// depth_pass.cpp - draws shadow maps with OpenGL.
 #include "gl/shadow/depth_pass.h"
 
 #include "exact/hit.h"
@@ -19,14 +19,9 @@
 namespace firsthit::gl {
 namespace {
 
-// Uniforms of shadow_depth.vert.
-constexpr GLint kMatrix = 0, kOrigin = 1, kOffset = 2, kDrawSize = 3, kDrawRange = 4,
-                kDrawParallel = 5;
-// Of store_map.comp.
-constexpr GLint kStoreSize = 0, kStoreFirst = 1, kStoreRange = 2, kStoreParallel = 3;
-
-/// What depths are counted in: a parallel light's greatest; else a depth that nothing is nearer
-/// than, or casts its shadow from. Float depths lose nothing by its being small.
+/// The uniform `range` of shadow_depth.vert. For a parallel light it is the greatest depth. For
+/// other lights it is a depth that is smaller than that of any triangle that matters; reversed
+/// float depths lose no precision however small it is.
 float depth_range(const World& world, const Pencil& pencil)
 {
     if (pencil.parallel) return float(0.5 * pencil.far);
@@ -48,10 +43,12 @@ DepthPass::DepthPass()
     triangles_.create();
 }
 
-void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, ShadowMap& map,
-    std::uint32_t first, const MapTexels& texels)
+void DepthPass::draw(const World& world, const SceneBuffers& scene, const MapTexels& texels,
+    const MapNumber& number, ShadowMaps& maps)
 {
-    const Pencil pencil = place_map(world, face, map);
+    ShadowMap& map = map_of(maps, number);
+    const std::uint32_t first = texels.first()[number.light * kFaces + std::size_t(number.face)];
+    const Pencil pencil = set_map_transform(world, number.face, map);
     const float range = depth_range(world, pencil);
     const int width = map.width(), height = map.height();
     GLint most = 0;
@@ -74,16 +71,16 @@ void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, Sh
     const glm::mat3 matrix(map.matrix);
     const glm::vec3 origin(map.origin);
     const glm::vec3 offset(map.offset + map.matrix * (glm::dvec3(origin) - map.origin));
-    glUniformMatrix3fv(kMatrix, 1, GL_FALSE, glm::value_ptr(matrix));
-    glUniform3fv(kOrigin, 1, glm::value_ptr(origin));
-    glUniform3fv(kOffset, 1, glm::value_ptr(offset));
+    glUniformMatrix3fv(kDrawMatrix, 1, GL_FALSE, glm::value_ptr(matrix));
+    glUniform3fv(kDrawOrigin, 1, glm::value_ptr(origin));
+    glUniform3fv(kDrawOffset, 1, glm::value_ptr(offset));
     glUniform2f(kDrawSize, float(width), float(height));
     glUniform1f(kDrawRange, range);
     glUniform1i(kDrawParallel, pencil.parallel);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
     glBindVertexArray(triangles_.name());
     glViewport(0, 0, width, height);
-    // Reversed, and nothing is cut near the light.
+    // Depth is reversed, and triangles near the light are not clipped.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_DEPTH_TEST);
@@ -102,7 +99,7 @@ void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, Sh
     glUniform1f(kStoreRange, range);
     glUniform1i(kStoreParallel, pencil.parallel);
     depth_.bind(kDepthUnit);
-    texels.bind_storage(kResult);
+    texels.bind_storage(kResultBlock);
     glDispatchCompute(GLuint(quads(width)), GLuint(quads(height)), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     check("drawing a shadow map");
@@ -111,9 +108,7 @@ void DepthPass::draw(const World& world, const SceneBuffers& scene, int face, Sh
 void DepthPass::draw_changed(
     const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps)
 {
-    for (const MapNumber& k : maps.changed)
-        draw(world, scene, k.face, map_of(maps, k),
-            texels.first()[k.light * kFaces + std::size_t(k.face)], texels);
+    for (const MapNumber& number : maps.changed) draw(world, scene, texels, number, maps);
 }
 
 } // namespace firsthit::gl

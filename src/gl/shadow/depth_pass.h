@@ -1,4 +1,4 @@
-// depth_pass.h - shadow maps drawn by OpenGL.
+// depth_pass.h - draws shadow maps with OpenGL.
 #pragma once
 
 #include "gl/shadow/map_texels.h"
@@ -13,25 +13,25 @@
 
 namespace firsthit::gl {
 
-/// Draws the triangles as a face of a light sees them, then stores their depths along the face's z
-/// (shadow/map/shadow_map.h), +inf where nothing is.
+/// Draws the triangles in the view of a light's face, then stores their depths along the face's z
+/// (shadow/map/shadow_map.h); +inf where there is no triangle.
 ///
-/// limits  which texels a triangle covers is the driver's say: corners are snapped, mostly to 1/256
-///         of a texel
+/// limits  the driver decides which texels a triangle covers: it snaps corners, usually to 1/256 of
+///         a texel
 /// source  Williams 1978; Robert and Schoepke 2006, section 3.2
 class DepthPass {
   public:
     DepthPass();
 
-    /// Makes the face's map from its source: fills in matrix, origin and offset, and its place in
-    /// `texels`, which is laid out. Changes viewport, depth state, program and bindings.
+    /// Makes the map of a face from its source: fills in matrix, origin and offset, and the map's
+    /// texels in `texels`, which must be laid out. Changes viewport, depth state, program and
+    /// bindings of OpenGL.
     ///
-    /// first   of the map's texels
     /// throws  DeviceError: no memory, or a map beyond the largest texture
-    void draw(const World& world, const SceneBuffers& scene, int face, ShadowMap& map,
-        std::uint32_t first, const MapTexels& texels);
+    void draw(const World& world, const SceneBuffers& scene, const MapTexels& texels,
+        const MapNumber& number, ShadowMaps& maps);
 
-    /// The same for all maps.changed.
+    /// The same for all maps in maps.changed.
     void draw_changed(
         const World& world, const SceneBuffers& scene, const MapTexels& texels, ShadowMaps& maps);
 

@@ -10,7 +10,8 @@
 namespace firsthit::gl {
 namespace {
 
-/// A uniform block is read as if it had all its room.
+/// Uploads a table. A uniform block must have its declared size, `room` bytes, even if fewer are
+/// used.
 void upload(Buffer& table, std::span<const std::byte> data, std::size_t room)
 {
     table.resize(std::max(data.size(), room));
@@ -34,8 +35,8 @@ void GpuShadows::upload_tables(
     fill_maps(maps, rays, texels_.first(), filter, map_data_);
     upload(lights_, std::as_bytes(std::span(light_data_)), kFewLights * sizeof(LightData));
     upload(map_table_, std::as_bytes(std::span(map_data_)), kFewLights * kFaces * sizeof(MapData));
-    bind_table(lights_, kLights, light_data_.size());
-    bind_table(map_table_, kMaps, light_data_.size());
+    bind_table(lights_, kLightsBlock, light_data_.size());
+    bind_table(map_table_, kMapsBlock, light_data_.size());
     if (!maps.empty()) texels_.bind_texels();
 }
 

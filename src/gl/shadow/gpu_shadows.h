@@ -15,25 +15,25 @@
 
 namespace firsthit::gl {
 
-/// Lights and maps where shaders read them. A part of a picture goes through
+/// The lights and shadow maps on OpenGL. A section of a picture calls, in turn:
 ///
-///     set_lights(...)      the lights, which the bounds of hits are found by
+///     set_lights(...)      uploads the lights, which the pass that finds the bounds of hits needs
 ///     update_maps(...)     or use_maps(...)
 class GpuShadows {
   public:
-    /// Uploads the lights, and binds them and their maps; no map is looked at before the next call.
+    /// Uploads and binds the lights, without maps.
     void set_lights(const World& world, const Rays& rays);
 
-    /// What maps have to show.
+    /// What the maps depend on.
     struct Wanted {
         const World& world;
         const ShadowOptions& options;
         const SceneBuffers& scene;
         const Rays& rays;
-        std::span<LightBounds> bounds; // (lights) of the visible hits
+        std::span<LightBounds> bounds; // (lights) bounds of the visible hits
     };
 
-    /// Draws the maps that are not what lights, triangles, hits and options ask for.
+    /// Draws the maps whose source has changed (see shadow/map/shadow_map.h).
     /// throws  DeviceError: no memory, or a map beyond the driver's limits
     void update_maps(const Wanted& wanted, std::int64_t max_storage_bytes, Tasks& tasks);
 
@@ -41,10 +41,10 @@ class GpuShadows {
     void use_maps(const World& world, const ShadowMaps& maps, const Rays& rays,
         std::int64_t max_storage_bytes);
 
-    /// Drawn so far.
+    /// Number of maps drawn so far.
     std::uint64_t updates() const { return updates_; }
 
-    /// Of the world's lights, without depths: these stay on OpenGL.
+    /// The maps of the world's lights, without depths, which stay on OpenGL.
     std::span<const ShadowLight> maps() const { return maps_.light; }
     const MapTexels& texels() const { return texels_; }
 

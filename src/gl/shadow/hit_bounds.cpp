@@ -1,4 +1,4 @@
-// hit_bounds.cpp - the parts of the lights' projections that the hits of a picture fill.
+// hit_bounds.cpp - finds the bounds of the visible hits on the faces of each light.
 #include "gl/shadow/hit_bounds.h"
 
 #include "gl/bindings.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kNumbers = 5;
 
-/// Back from the key of a float: see key_of in hit_bounds.comp.
+/// The float of a key: the inverse of key_of in hit_bounds.comp.
 float float_of(std::uint32_t key)
 {
     return std::bit_cast<float>(key & 0x80000000u ? key & 0x7FFFFFFFu : ~key);
@@ -32,7 +32,7 @@ void HitBounds::find(const Program& program, glm::ivec2 size, std::span<LightBou
     keys_.resize(numbers * 4);
     read_.resize(numbers);
     glClearNamedBufferData(keys_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    keys_.bind_storage(kResult);
+    keys_.bind_storage(kResultBlock);
     program.use();
     const GLuint blocks = (GLuint(size.x + 7) / 8) * (GLuint(size.y + 7) / 8);
     glDispatchCompute((blocks + 31) / 32, 1, 1);

@@ -1,4 +1,4 @@
-// hit_bounds.h - the parts of the lights' projections that the hits of a picture fill.
+// hit_bounds.h - finds the bounds of the visible hits on the faces of each light.
 #pragma once
 
 #include "gl/device/objects.h"
@@ -12,14 +12,15 @@
 
 namespace firsthit::gl {
 
-/// Finds them by a compute pass; 120 bytes a light come back.
+/// Finds the bounds by a compute pass, and reads back 120 bytes for each light.
 class HitBounds {
   public:
-    /// program  hit_bounds.comp. Its blocks, uniforms and textures are bound already: frame.glsl,
-    ///          scene.glsl, lights.glsl, and items or hits
-    /// size     of the part, samples
-    /// bounds   (lights), what add_hits (shadow/map/hit_bounds.h) says but for roundings of float;
-    ///          waits for it
+    /// Waits for OpenGL.
+    /// program  hit_bounds.comp. The blocks and textures that it reads must be bound (frame.glsl,
+    ///          scene.glsl, lights.glsl, and items or hits)
+    /// size     of the section, samples
+    /// bounds   (lights) receives the bounds. They differ from those of add_hits
+    ///          (shadow/map/hit_bounds.h) only by rounding errors of float
     void find(const Program& program, glm::ivec2 size, std::span<LightBounds> bounds);
 
   private:

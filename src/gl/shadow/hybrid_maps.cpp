@@ -1,4 +1,4 @@
-// hybrid_maps.cpp - shadow maps drawn by OpenGL, for the rays of the CPU.
+// hybrid_maps.cpp - shadow maps drawn by OpenGL for the hybrid engine.
 #include "gl/shadow/hybrid_maps.h"
 
 namespace firsthit::gl {

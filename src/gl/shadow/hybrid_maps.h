@@ -1,4 +1,4 @@
-// hybrid_maps.h - shadow maps drawn by OpenGL, for the rays of the CPU.
+// hybrid_maps.h - shadow maps drawn by OpenGL for the hybrid engine.
 #pragma once
 
 #include "gl/device/context.h"
@@ -17,15 +17,15 @@ namespace firsthit::gl {
 /// source  Robert and Schoepke 2006, section 4.1
 class HybridMaps final : public MapMaker {
   public:
-    /// context  outlives this, and is current on no other thread during the destructor
-    /// scene    of that context, with Detail::surfaces
+    /// context  must outlive this, and must not be current on another thread during the destructor
+    /// scene    of the same context, with Detail::surfaces
     HybridMaps(const Context& context, const SceneBuffers& scene);
     ~HybridMaps() override;
 
-    /// Whose thread make() uses; it outlives the frames.
+    /// make() runs on the thread of `items`, which must outlive the frames.
     void set_items(HybridItems& items) { items_ = &items; }
 
-    /// The scene has to be posed for the world: the items of the same frame are drawn first.
+    /// The items of the same frame must have been drawn before, because that poses the scene.
     /// throws  DeviceError: no memory, a map beyond the driver's limits, a lost context
     void make(const World& world, ShadowMaps& maps, Tasks& tasks) override;
 
@@ -33,7 +33,7 @@ class HybridMaps final : public MapMaker {
     const Context& context_;
     const SceneBuffers& scene_;
     HybridItems* items_ = nullptr;
-    std::optional<DepthPass> pass_; // while the context is there
+    std::optional<DepthPass> pass_; // deleted while the context is current
     std::optional<MapTexels> texels_;
 };
 

@@ -14,7 +14,7 @@
 namespace firsthit::gl {
 namespace {
 
-/// With those of quads that are filled in part.
+/// The number of texels that a map takes in memory: quads at its edges are stored whole.
 std::size_t stored_texels(const ShadowMap& map)
 {
     return std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
@@ -39,7 +39,7 @@ void MapTexels::lay_out(std::span<const ShadowLight> lights, std::int64_t max_st
             needed * 4, max_storage_bytes, driver_name()));
     if (enough) return;
 
-    // What hits fill of a face changes from frame to frame: room for half as much again.
+    // The size of maps changes from frame to frame: reserve half as much again.
     const bool spare = needed + needed / 2 + kQuadTexels * faces <= most;
     std::vector<std::uint32_t> first(faces), room(faces);
     std::size_t next = 0;
@@ -72,8 +72,8 @@ void MapTexels::upload(std::span<const ShadowLight> lights)
 
 void MapTexels::bind_texels()
 {
-    look_up_.look_at(texels_, GL_R32F, 4);
-    look_up_.bind(kMapDepthUnit);
+    sampled_.look_at(texels_, GL_R32F, 4);
+    sampled_.bind(kMapDepthUnit);
 }
 
 void MapTexels::read(std::size_t light, std::size_t face, ShadowMap& map) const

@@ -10,34 +10,34 @@
 
 namespace firsthit::gl {
 
-/// Depths as ShadowMap::depth has them, in its order of quads, each face at its own place. A face
-/// stays where it is while its room is enough; else all are given new places, with room to grow,
-/// and what they hold goes along.
+/// The depths of all maps on OpenGL, each in the layout of ShadowMap::depth. A map stays at its
+/// position as long as its reserved room is enough. Otherwise all maps get new positions with room
+/// to grow, and their texels are moved.
 class MapTexels {
   public:
-    /// Makes room for the texels of all faces' fits.
+    /// Reserves room for the maps of all faces.
     /// throws  DeviceError: more than `max_storage_bytes`, or no memory
     void lay_out(std::span<const ShadowLight> lights, std::int64_t max_storage_bytes);
 
-    /// Copies maps that the cpu made; after lay_out.
+    /// Uploads maps that the CPU made. lay_out() must have been called for them.
     void upload(std::span<const ShadowLight> lights);
 
-    /// Copies a face's texels to the cpu; waits for it.
+    /// Copies the texels of a face to host memory. Waits for OpenGL.
     void read(std::size_t light, std::size_t face, ShadowMap& map) const;
 
-    /// (lights, kFaces) where each face's texels begin.
+    /// (lights, kFaces) index of the first texel of each face.
     std::span<const std::uint32_t> first() const { return first_; }
 
-    /// For shaders that write them: as a storage block.
+    /// Binds the texels as a storage block, for shaders that write them.
     void bind_storage(GLuint binding) const { texels_.bind_storage(binding); }
-    /// For shaders that look them up.
+    /// Binds the texels as a buffer texture, for shaders that sample them.
     void bind_texels();
 
   private:
     Buffer texels_; // float
-    BufferTexture look_up_;
+    BufferTexture sampled_;
     std::vector<std::uint32_t> first_;
-    std::vector<std::uint32_t> room_; // texels from there on
+    std::vector<std::uint32_t> room_; // (lights, kFaces) reserved texels
 };
 
 } // namespace firsthit::gl

@@ -27,10 +27,15 @@ struct SlotRegister {
     alignas(64) std::int32_t slot[5][kGroup];
 };
 
+/// What is subtracted from coordinates before they become slots.
+struct Middle {
+    float x, y;
+};
+
 /// Fills in the slots of the first sixteen triangles, or of all if there are fewer: the lanes after
 /// the last one are garbage. Returns a bit for each triangle, set if it may be hit (may_hit).
 HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles,
-    const SampleBounds& bounds, float xm, float ym, const BoxSlots& slots, SlotRegister& found)
+    const SampleBounds& bounds, const Middle& middle, const BoxSlots& slots, SlotRegister& found)
 {
     const Group d;
     const hn::RebindToSigned<Group> w;
@@ -44,7 +49,7 @@ HWY_INLINE std::uint32_t find_slots(std::span<const ProjectedTriangle> triangles
     for (int k = 0; k < kGroup; k += lanes) {
         const ProjectedTriangles box = load_projected(triangles, std::size_t(k));
         chosen |= std::uint32_t(bits(d, may_hit(box, bounds))) << k;
-        const auto x = hn::Set(d, xm), y = hn::Set(d, ym);
+        const auto x = hn::Set(d, middle.x), y = hn::Set(d, middle.y);
         hn::Store(slot_of(hn::Sub(box.x0, x), slots.x), w, found.slot[0] + k);
         hn::Store(slot_of(hn::Sub(box.y0, y), slots.y), w, found.slot[1] + k);
         hn::Store(slot_of(hn::Sub(box.x1, x), slots.x), w, found.slot[2] + k);
@@ -92,7 +97,7 @@ void test_triangles(const CellTest& cell, const CellWork& work, CellKernelMemory
     for (std::size_t first = 0; first < work.triangles.size(); first += kGroup) {
         const auto some = work.triangles.subspan(
             first, std::min<std::size_t>(kGroup, work.triangles.size() - first));
-        for (std::uint32_t rest = find_slots(some, b, xm, ym, slots, found); rest;
+        for (std::uint32_t rest = find_slots(some, b, {xm, ym}, slots, found); rest;
              rest &= rest - 1) {
             const std::size_t k = std::size_t(std::countr_zero(rest));
             TriangleSlots triangle_slots;

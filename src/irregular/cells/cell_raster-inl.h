@@ -15,29 +15,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
-
-/// Tests the samples of a group whose bits are set in `open` with is_shadowed, one at a time.
-/// Returns the bits of those that are shadowed.
-HWY_NOINLINE inline std::uint32_t decide_group_exactly(const PencilMesh& mesh,
-    std::span<const IrregularSample> samples, const PencilPoints& points, std::uint32_t triangle,
-    std::size_t group, std::uint32_t open, CellKernelMemory& kernel)
-{
-    const Corners corners = mesh.corners(triangle);
-    std::uint32_t shadowed = 0;
-    for (; open; open &= open - 1) {
-        const std::size_t k = kernel.first[group] + std::size_t(std::countr_zero(open));
-        if (k >= kernel.first[group + 1]) break;
-        ++kernel.counts.uncertain;
-        const glm::vec3 d = points.in_pencil_space(samples[k].id);
-        if (is_shadowed(mesh.space, corners, d, kernel.counts.effort))
-            shadowed |= open & (~open + 1);
-    }
-    return shadowed;
-}
 
 /// What the tests of a cell's triangles need.
 struct CellTest {
@@ -46,6 +28,25 @@ struct CellTest {
     const PencilPoints& points;
     float edge_error; // cell_edge_error
 };
+
+/// Tests the samples of a group whose bits are set in `open` with is_shadowed, one at a time.
+/// Returns the bits of those that are shadowed.
+HWY_NOINLINE inline std::uint32_t decide_group_exactly(const CellTest& cell, std::uint32_t triangle,
+    std::size_t group, std::uint32_t open, CellKernelMemory& kernel)
+{
+    const PencilMesh& mesh = cell.mesh;
+    const Corners corners = mesh.corners(triangle);
+    std::uint32_t shadowed = 0;
+    for (; open; open &= open - 1) {
+        const std::size_t k = kernel.first[group] + std::size_t(std::countr_zero(open));
+        if (k >= kernel.first[group + 1]) break;
+        ++kernel.counts.uncertain;
+        const glm::vec3 d = cell.points.in_pencil_space(cell.samples[k].id);
+        if (is_shadowed(mesh.space, mesh.cutouts, triangle, corners, d, kernel.counts.effort))
+            shadowed |= open & (~open + 1);
+    }
+    return shadowed;
+}
 
 /// The items of a group's samples, kNoItem after the last one. They are loaded the first time that
 /// they are needed, because most groups never need them.
@@ -109,8 +110,7 @@ HWY_INLINE void test_groups(
                 std::uint32_t(bits(d, hn::And(maybe, other))) << offset & ~hit & ~shadowed;
             shadowed |= hit;
             if (open) [[unlikely]]
-                shadowed |= decide_group_exactly(
-                    cell.mesh, cell.samples, cell.points, batch.triangle[i], group, open, kernel);
+                shadowed |= decide_group_exactly(cell, batch.triangle[i], group, open, kernel);
         }
         if (shadowed == before) continue;
         kernel.shadowed[group] = std::uint16_t(shadowed);
@@ -151,6 +151,14 @@ HWY_INLINE std::uint64_t groups_inside(const CellTest& cell, int i, std::size_t 
     return groups & inside;
 }
 
+/// Leaves all samples that a cut-out of the batch may shadow to the exact test.
+inline void leave_cutouts_open(const Cutouts& cutouts, CellBatch& batch)
+{
+    for (int i = 0; i < batch.count; ++i)
+        if (cutouts.has(batch.triangle[i]))
+            batch.shadowed_from[i] = std::numeric_limits<float>::infinity();
+}
+
 /// Sets up the triangles of the batch, tests them against the groups, and empties the batch.
 inline void test_batch(const CellTest& cell, CellKernelMemory& kernel)
 {
@@ -160,6 +168,7 @@ inline void test_batch(const CellTest& cell, CellKernelMemory& kernel)
     gather_corners(cell.mesh, cell.mesh.face, batch.count, batch.triangle, batch.corner);
     for (int i = 0; i < batch.count; i += int(hn::Lanes(d)))
         set_up_cell_lanes(d, cell.mesh.space.directional, kernel, i);
+    if (cell.mesh.cutouts.any()) leave_cutouts_open(cell.mesh.cutouts, batch);
     for (int i = 0; i < batch.count; ++i) {
         for (std::size_t chunk = 0; chunk < kernel.table.size(); ++chunk) {
             std::uint64_t groups = kernel.table[chunk].of(batch.slots[i]);

@@ -153,13 +153,13 @@ class EdgeTest {
 
 } // namespace
 
-bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> from,
-    std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks)
+bool sort_triangles(
+    const PencilMesh& mesh, const TriangleRanges& from, IrregularCells& cells, Tasks& tasks)
 {
-    cells.rect_of.resize(from.size() + 16);
-    tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
-        const SampleRange& range = ranges[k];
-        find_triangle_cells(cells.grid, cells.bounds, from.subspan(range.first, range.count),
+    cells.rect_of.resize(from.array.size() + 16);
+    tasks.for_each(from.ranges.size(), [&](std::size_t k, std::size_t) {
+        const SampleRange& range = from.ranges[k];
+        find_triangle_cells(cells.grid, cells.bounds, from.array.subspan(range.first, range.count),
             &cells.rect_of[range.first]);
     });
     const std::size_t columns = std::size_t(cells.grid.columns);
@@ -177,13 +177,12 @@ bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> f
             return;
         }
         if (rect.column0 > rect.column1) return;
-        const EdgeTest edges(mesh, from[k].triangle, cells.grid);
+        const EdgeTest edges(mesh, from.array[k].triangle, cells.grid);
         for (std::size_t row = rect.row0; row <= rect.row1; ++row)
             for (std::size_t column = rect.column0; column <= rect.column1; ++column)
                 if (!edges.misses(column, row)) f(row * columns + column);
     };
-    return bin_triangles(
-        from, ranges, std::size_t(cells.grid.cells()), for_cells, cells.bins, tasks);
+    return bin_triangles(from, std::size_t(cells.grid.cells()), for_cells, cells.bins, tasks);
 }
 
 } // namespace firsthit

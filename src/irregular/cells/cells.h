@@ -75,8 +75,7 @@ void sort_samples(std::span<const IrregularSample> from, std::span<const SampleR
 /// copied to all cells that its box overlaps; for boxes over many cells, to those that do not lie
 /// outside of an edge. Returns false, and sorts nothing, if that took too many copies
 /// (bin_triangles).
-/// ranges  of indices into `from`
-bool sort_triangles(const PencilMesh& mesh, std::span<const ProjectedTriangle> from,
-    std::span<const SampleRange> ranges, IrregularCells& cells, Tasks& tasks);
+bool sort_triangles(
+    const PencilMesh& mesh, const TriangleRanges& from, IrregularCells& cells, Tasks& tasks);
 
 } // namespace firsthit

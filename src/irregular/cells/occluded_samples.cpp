@@ -31,11 +31,12 @@ FaceOccluders find_face_occluders(const PencilMesh& mesh, std::span<const Sample
     const SampleBounds& bounds, Buffer<FaceOccluders>& of_range, Tasks& tasks)
 {
     of_range.resize(ranges.size());
+    const bool any_cutouts = mesh.cutouts.any();
     tasks.for_each(ranges.size(), [&](std::size_t k, std::size_t) {
         FaceOccluderChoice choice(bounds);
         for (const ProjectedTriangle& box :
             mesh.in_view.span().subspan(ranges[k].first, ranges[k].count))
-            choice.offer(box);
+            if (!any_cutouts || !mesh.cutouts.has(box.triangle)) choice.offer(box);
         of_range[k] = choice.occluders;
     });
     FaceOccluderChoice choice(bounds);

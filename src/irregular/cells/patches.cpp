@@ -18,8 +18,8 @@ bool is_compact(const SamplePatch& patch, const SampleBounds& all, std::size_t t
     return share * double(triangles) <= count / 16;
 }
 
-bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
-    const SampleBounds& all, PatchMemory& memory, Tasks& tasks)
+bool bin_patches(
+    const TriangleRanges& from, const SampleBounds& all, PatchMemory& memory, Tasks& tasks)
 {
     const std::size_t count = memory.patches.size();
     const BoxSlots slots(all);
@@ -34,7 +34,7 @@ bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const Sample
         table.finish();
     }
     const auto for_patches = [&](std::size_t k, const auto& f) {
-        const ProjectedTriangle& box = from[k];
+        const ProjectedTriangle& box = from.array[k];
         const TriangleSlots triangle_slots(box, slots);
         for (std::size_t table = 0; table < memory.tables.size(); ++table) {
             std::uint64_t rest = memory.tables[table].of(triangle_slots);
@@ -44,8 +44,9 @@ bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const Sample
             }
         }
     };
-    return bin_triangles(from, count == 0 ? std::span<const SampleRange>() : ranges, count,
-        for_patches, memory.bins, tasks);
+    const TriangleRanges wanted{
+        from.array, count == 0 ? std::span<const SampleRange>() : from.ranges};
+    return bin_triangles(wanted, count, for_patches, memory.bins, tasks);
 }
 
 } // namespace firsthit

@@ -28,9 +28,8 @@ struct PatchMemory {
 /// a ray may hit it (may_hit). Returns false, and sorts nothing, if that took too many copies
 /// (bin_triangles).
 ///
-/// ranges  of indices into `from`
-/// all     the bounds of all samples of the face
-bool bin_patches(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
-    const SampleBounds& all, PatchMemory& memory, Tasks& tasks);
+/// all  the bounds of all samples of the face
+bool bin_patches(
+    const TriangleRanges& from, const SampleBounds& all, PatchMemory& memory, Tasks& tasks);
 
 } // namespace firsthit

@@ -34,7 +34,7 @@
 #endif
 
 #include "irregular/cells/cell_kernel.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {

@@ -161,13 +161,15 @@ HWY_NOINLINE inline void decide_pairs(GridTest& test, GridPairs& pairs)
             const Verdict verdict =
                 ShadowPlane(test.mesh, triangle).classify(some.x[lane], some.y[lane], some.w[lane]);
             if (verdict == Verdict::lit) continue;
-            if (verdict == Verdict::shadowed && (edges.inside >> lane & 1)) {
+            if (verdict == Verdict::shadowed && (edges.inside >> lane & 1) &&
+                !test.mesh.cutouts.has(triangle)) {
                 mark(test, id);
                 continue;
             }
             ++test.counts.uncertain;
-            if (is_shadowed(test.mesh.space, test.mesh.corners(triangle),
-                    test.points.in_pencil_space(id), test.counts.effort))
+            if (is_shadowed(test.mesh.space, test.mesh.cutouts, triangle,
+                    test.mesh.corners(triangle), test.points.in_pencil_space(id),
+                    test.counts.effort))
                 mark(test, id);
         }
     }

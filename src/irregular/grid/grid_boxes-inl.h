@@ -121,12 +121,19 @@ struct GridEdges {
     }
 };
 
+/// The quantized corners of a register of triangles.
+struct CornerWords {
+    Word a, b, c;
+};
+
 /// Computes the edges of a register of triangles. They are 0, so that no sample is outside, where
 ///     the box is 2^14 or more wide or high: products would not fit into 32 bits; or
 ///     a corner lies beyond the samples' bounds: its quantized coordinate is clamped; or
 ///     |area| is not above the error: the triangle might be oriented the other way.
-HWY_INLINE GridEdges find_edges(const SampleGrid& grid, Word a, Word b, Word c, Word low, Word high)
+HWY_INLINE GridEdges find_edges(
+    const SampleGrid& grid, const CornerWords& corners, Word low, Word high)
 {
+    const auto [a, b, c] = corners;
     const Words d;
     constexpr std::uint64_t kLarge = 0xC000C00000000000; // the bits of x or y that are 2^14 or more
     const auto set = [&](std::uint64_t v) { return hn::Set(d, v); };
@@ -171,8 +178,9 @@ HWY_NOINLINE inline void find_all_edges(
         const std::size_t first = 8 * std::size_t(std::countr_zero(groups));
         for (std::size_t i = first; i < first + 8; i += hn::Lanes(d)) {
             const auto load = [&](const std::uint64_t* from) { return hn::Load(d, from + i); };
-            const GridEdges edges = find_edges(grid, load(boxes.corner[0]), load(boxes.corner[1]),
-                load(boxes.corner[2]), load(boxes.low), load(boxes.high));
+            const GridEdges edges = find_edges(grid,
+                {load(boxes.corner[0]), load(boxes.corner[1]), load(boxes.corner[2])},
+                load(boxes.low), load(boxes.high));
             for (int e = 0; e < 3; ++e) hn::Store(edges.normal[e], d, boxes.normal[e] + i);
             hn::Store(edges.beyond, d, boxes.beyond + i);
             hn::Store(edges.beyond_opposite, d, boxes.beyond_opposite + i);

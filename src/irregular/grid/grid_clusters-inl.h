@@ -145,7 +145,7 @@ HWY_INLINE void test_samples(const SampleGrid& grid, const GridBoxes& boxes, std
         const auto load = [&](const std::uint64_t* from) { return hn::Load(d, from + i); };
         const Word low = load(boxes.low), high = load(boxes.high), a = load(boxes.corner[0]);
         const GridEdges edges =
-            find_edges(grid, a, load(boxes.corner[1]), load(boxes.corner[2]), low, high);
+            find_edges(grid, {a, load(boxes.corner[1]), load(boxes.corner[2])}, low, high);
         const auto own = hn::Add(hn::Iota(d32, 0), hn::Set(d32, std::uint32_t(boxes.first + i)));
         for (std::size_t s = 0; s < count; ++s) {
             const Word sample = hn::Set(d, grid.quantized[clusters.sample[s]]);

@@ -186,13 +186,13 @@ ProjectedTriangle project_triangle(const PencilMesh& mesh, std::uint32_t triangl
         std::max({p[0].w, p[1].w, p[2].w})};
 }
 
-void test_range(PencilMesh& mesh, std::size_t range, const SampleGrid& grid,
-    const PencilPoints& points, std::uint8_t* shadowed, TestCounts& counts)
+void test_range(PencilMesh& mesh, std::size_t range, const GridSamples& samples, TestCounts& counts)
 {
+    const SampleGrid& grid = samples.grid;
     const std::size_t first = range * kMeshRange,
                       last = std::min(mesh.index.size(), first + kMeshRange);
     ProjectedTriangle* left = &mesh.in_view[first];
-    GridTest test{mesh, grid, points, shadowed, {}};
+    GridTest test{mesh, grid, samples.points, samples.shadowed.data(), {}};
     GridBatch batch;
     for (std::size_t t = first; t < last; t += GridBoxes::kTriangles) {
         const std::size_t end = std::min(last, t + GridBoxes::kTriangles);
@@ -253,12 +253,12 @@ bool prefers_strips_along_y(
     return along_y * (bounds.x1 - bounds.x0) > along_x * (bounds.y1 - bounds.y0);
 }
 
-std::size_t test_grid(PencilMesh& mesh, const SampleGrid& grid, const PencilPoints& points,
-    std::span<GridTestCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed)
+std::size_t test_grid(
+    PencilMesh& mesh, const GridSamples& samples, std::span<GridTestCounts> counts, Tasks& tasks)
 {
     tasks.for_each(mesh.range_count.size(), [&](std::size_t range, std::size_t worker) {
         HWY_DYNAMIC_DISPATCH(test_range)
-        (mesh, range, grid, points, shadowed.data(), counts[worker].counts);
+        (mesh, range, samples, counts[worker].counts);
     });
     std::size_t left = 0;
     for (const std::uint32_t count : mesh.range_count.span()) left += count;

@@ -23,6 +23,13 @@ struct alignas(64) GridTestCounts {
 bool prefers_strips_along_y(
     const PencilMesh& mesh, const CubeFace& face, const SampleBounds& bounds);
 
+/// The samples of a grid, and where the answer goes.
+struct GridSamples {
+    const SampleGrid& grid;
+    const PencilPoints& points;
+    std::span<std::uint8_t> shadowed; // by id
+};
+
 /// Sets shadowed[id] = 1 for the samples that triangles over few samples shadow, and writes no
 /// other element. Exact, as test_cell. The other triangles that may be hit are left in mesh.in_view
 /// and mesh.range_count, to be tested by cells; mesh.projected is not filled in.
@@ -30,7 +37,7 @@ bool prefers_strips_along_y(
 /// mesh     of the face whose samples are in the grid; quantize_all_vertices was called
 /// counts   (threads) are added to
 /// returns  the number of triangles that are left
-std::size_t test_grid(PencilMesh& mesh, const SampleGrid& grid, const PencilPoints& points,
-    std::span<GridTestCounts> counts, Tasks& tasks, std::span<std::uint8_t> shadowed);
+std::size_t test_grid(
+    PencilMesh& mesh, const GridSamples& samples, std::span<GridTestCounts> counts, Tasks& tasks);
 
 } // namespace firsthit

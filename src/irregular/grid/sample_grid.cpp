@@ -247,10 +247,12 @@ void quantize_vertices(const GridAxes& axes, const CubeFace& face, const glm::ve
     HWY_DYNAMIC_DISPATCH(quantize_corners)(axes, face, corner, count, quantized);
 }
 
-bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const GridLayout& view, const PencilPoints& points,
-    SampleGrid& grid, Tasks& tasks)
+bool sort_into_grid(const PatchedSamples& patched, const GridLayout& view,
+    const PencilPoints& points, SampleGrid& grid, Tasks& tasks)
 {
+    const auto samples = patched.samples;
+    const auto patches = patched.patches;
+    const SampleBounds& bounds = patched.bounds;
     grid.bounds = bounds;
     grid.axes = axes_of(bounds, view.transposed);
     grid.samples = samples;

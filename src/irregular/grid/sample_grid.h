@@ -90,13 +90,11 @@ struct GridLayout {
     bool transposed = false;  // strips lie along y
 };
 
-/// Sorts the samples of the patches into the grid. The span `samples` must outlive the grid's use.
+/// Sorts samples into the grid. The span `patched.samples` must outlive the grid's use.
 ///
-/// bounds   of all samples
 /// returns  false, with infinite crowding and nothing sorted, if a strip had more than 65535
 ///          samples
-bool sort_into_grid(std::span<const IrregularSample> samples, std::span<const SamplePatch> patches,
-    const SampleBounds& bounds, const GridLayout& view, const PencilPoints& points,
-    SampleGrid& grid, Tasks& tasks);
+bool sort_into_grid(const PatchedSamples& patched, const GridLayout& view,
+    const PencilPoints& points, SampleGrid& grid, Tasks& tasks);
 
 } // namespace firsthit

@@ -55,16 +55,23 @@ struct TriangleBins {
     }
 };
 
-/// Sorts the triangles of the given ranges into `bins` bins.
+/// Some triangles of an array.
+struct TriangleRanges {
+    std::span<const ProjectedTriangle> array;
+    std::span<const SampleRange> ranges; // of indices into `array`
+};
+
+/// Sorts triangles into `bins` bins.
 ///
-/// ranges    ranges of indices into `from`
-/// for_bins  for_bins(k, f) calls f(bin) for each bin of from[k], the same bins at every call
+/// for_bins  for_bins(k, f) calls f(bin) for each bin of from.array[k], the same bins at every call
 /// returns   false, and sorts nothing, if that took far more than a few copies a triangle. With one
 ///           bin it never returns false
 template <class ForBins>
-bool bin_triangles(std::span<const ProjectedTriangle> from, std::span<const SampleRange> ranges,
-    std::size_t bins, const ForBins& for_bins, TriangleBins& out, Tasks& tasks)
+bool bin_triangles(const TriangleRanges& from, std::size_t bins, const ForBins& for_bins,
+    TriangleBins& out, Tasks& tasks)
 {
+    const auto array = from.array;
+    const auto ranges = from.ranges;
     // The limit is four copies a triangle and 2^24 more (400 MB of memory).
     constexpr std::uint64_t kManyCopies = std::uint64_t(1) << 24;
     constexpr std::uint64_t kMostCopies = 0xFFFFFFFF; // cursors have 32 bits
@@ -78,17 +85,17 @@ bool bin_triangles(std::span<const ProjectedTriangle> from, std::span<const Samp
                 for_bins(k, [=](std::size_t bin) { ++counts[bin]; });
     });
     const std::uint64_t total = start_bins(shares.count, bins, out.cursor, out.start);
-    const std::uint64_t most = std::min(kManyCopies + 4 * from.size(), kMostCopies);
+    const std::uint64_t most = std::min(kManyCopies + 4 * array.size(), kMostCopies);
     if (total > most && bins > 1) return false;
     // The spare room avoids that a moving scene, which needs a little more now and then,
     // reallocates.
-    out.triangles.resize(total, total + 2 * from.size());
+    out.triangles.resize(total, total + 2 * array.size());
     tasks.for_each(shares.count, [&](std::size_t share, std::size_t) {
         std::uint32_t* cursor = &out.cursor[share * bins];
         ProjectedTriangle* to = out.triangles.data();
         for (const SampleRange& range : shares.of(ranges, share))
             for (std::size_t k = range.first; k < range.first + range.count; ++k)
-                for_bins(k, [=](std::size_t bin) { to[cursor[bin]++] = from[k]; });
+                for_bins(k, [=](std::size_t bin) { to[cursor[bin]++] = array[k]; });
     });
     return true;
 }

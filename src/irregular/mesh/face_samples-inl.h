@@ -11,7 +11,7 @@
 #include "exact/hit.h"
 #include "irregular/mesh/cube_face.h"
 #include "irregular/mesh/samples.h"
-#include "visibility/raster/item_tile.h"
+#include "visibility/stored_depth.h"
 
 #include <cstddef>
 #include <limits>

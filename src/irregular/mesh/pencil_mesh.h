@@ -8,6 +8,7 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
+#include "exact/cutouts.h"
 #include "exact/shadow_ray.h"
 #include "irregular/grid/quantized_points.h"
 #include "irregular/mesh/cube_face.h"
@@ -59,7 +60,8 @@ struct PencilMesh {
     /// costs a pass over all triangles.
     int wide_face = -1;
     std::span<const glm::uvec3> index; // (T)
-    Buffer<glm::vec3> corner;          // (V) in the pencil's space; these floats are taken as exact
+    Cutouts cutouts; // which of them shadow only where they are there; set before the mesh is used
+    Buffer<glm::vec3> corner; // (V) in the pencil's space; these floats are taken as exact
 
     // Of one face, which these functions set.
     CubeFace face;

@@ -59,11 +59,10 @@ HWY_INLINE truth on_wide_face(const Points& points, int face)
 }
 
 /// Writes the points for which chosen_of(points) is true as samples of the face, from index `first`
-/// on.
+/// on. Returns their range and bounds.
 template <int kAxis, class Chosen>
-HWY_INLINE void project_to_face(const CubeFace& face, const PointChunk& chunk,
-    const Chosen& chosen_of, std::size_t first, std::span<IrregularSample> samples,
-    SamplePatch& patch)
+HWY_INLINE SamplePatch project_to_face(const CubeFace& face, const PointChunk& chunk,
+    const Chosen& chosen_of, std::size_t first, std::span<IrregularSample> samples)
 {
     SampleWriter writer(samples.data(), first);
     for (std::size_t k = 0; k < chunk.count; k += kLanes) {
@@ -73,7 +72,7 @@ HWY_INLINE void project_to_face(const CubeFace& face, const PointChunk& chunk,
         const auto id = hn::Load(hn::RebindToUnsigned<RealTag>(), chunk.id.data() + k);
         writer.add<kAxis>(points.p, face.sign, id, chosen);
     }
-    patch = {{first, writer.next() - first}, writer.bounds()};
+    return {{first, writer.next() - first}, writer.bounds()};
 }
 
 /// The faces on which a point of the chunk lies that is not on the wide face (wide < 0: there is
@@ -99,9 +98,9 @@ void project_points(const PencilMesh& mesh, const PointChunk& chunk, std::size_t
 {
     patches = {};
     if (mesh.space.directional) {
-        project_to_face<kParallel>(
+        patches[0] = project_to_face<kParallel>(
             cube_face(true, 0), chunk, [](const Points& points) { return points.valid; }, first,
-            samples, patches[0]);
+            samples);
         return;
     }
     const int wide = mesh.wide_face;
@@ -116,11 +115,11 @@ void project_points(const PencilMesh& mesh, const PointChunk& chunk, std::size_t
         SamplePatch& patch = patches[std::size_t(number)];
         const CubeFace face = cube_face(false, number);
         if (face.axis_c == 0)
-            project_to_face<0>(face, chunk, chosen, first, samples, patch);
+            patch = project_to_face<0>(face, chunk, chosen, first, samples);
         else if (face.axis_c == 1)
-            project_to_face<1>(face, chunk, chosen, first, samples, patch);
+            patch = project_to_face<1>(face, chunk, chosen, first, samples);
         else
-            project_to_face<2>(face, chunk, chosen, first, samples, patch);
+            patch = project_to_face<2>(face, chunk, chosen, first, samples);
         first += patch.range.count;
     }
 }

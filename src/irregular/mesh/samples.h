@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace firsthit {
 
@@ -47,6 +48,13 @@ struct SampleBounds {
 struct SamplePatch {
     SampleRange range;
     SampleBounds bounds;
+};
+
+/// The samples of a face as they are given.
+struct PatchedSamples {
+    std::span<const IrregularSample> samples; // no two have the same id
+    std::span<const SamplePatch> patches;     // ranges of `samples`
+    const SampleBounds& bounds;               // of the samples of all patches
 };
 
 } // namespace firsthit

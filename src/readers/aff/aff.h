@@ -31,7 +31,7 @@
 // radius
 //   is 0, or none, with a warning, where both are. Negative radii turn a shape inside out.
 // - Where several tracks have one name, the last one counts. A node without a track stands still.
-// - `hither` and `resolution` are read and not used.
+// - `hither` is read and not used. `resolution` is Scene::picture_size.
 #pragma once
 
 #include <firsthit/scene.h>

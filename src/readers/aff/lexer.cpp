@@ -77,6 +77,11 @@ std::string_view Lexer::peek()
     return ahead_->text;
 }
 
+bool Lexer::has_more_on_line()
+{
+    return !peek().empty() && !is_brace(peek()[0]) && ahead_->line == line_;
+}
+
 std::string_view Lexer::next()
 {
     const Token token = ahead_ ? *ahead_ : find_token();

@@ -25,11 +25,24 @@ class Lexer {
     const std::string& file() const { return file_; }
     /// Of the token that was taken last, from 1.
     std::size_t line() const { return line_; }
+    /// A place to go back to.
+    struct Mark {
+        std::size_t cursor, line;
+    };
+    Mark mark() const { return {cursor_, line_}; }
+    void go_back(const Mark& mark)
+    {
+        cursor_ = mark.cursor;
+        line_ = mark.line;
+        ahead_.reset();
+    }
     /// Bytes after the last token: no count can promise more tokens than half of them.
     std::size_t remaining() const { return text_.size() - cursor_; }
 
     /// The next token without taking it; empty at the end of the file.
     std::string_view peek();
+    /// Whether the next token is on the line of the last, and no brace.
+    bool has_more_on_line();
     /// Takes the next token; empty at the end of the file.
     std::string_view next();
 

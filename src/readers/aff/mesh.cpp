@@ -113,7 +113,7 @@ class Unifier {
         std::vector<std::size_t> first_use(mesh_.position.size(), kUnused);
         for (std::size_t k = 3 * mesh_.triangle.size(); k-- > 0;) first_use[corner(k).position] = k;
         vertex_.resize(mesh_.position.size());
-        AffMeshRange range{static_cast<std::uint32_t>(builder_.scene.position.size()), 0};
+        AffMeshRange range{builder_.vertices(), 0};
         for (std::size_t p = 0; p < first_use.size(); ++p) {
             if (first_use[p] == kUnused) continue;
             vertex_[p] = {corner(first_use[p]), add(first_use[p])};
@@ -160,7 +160,7 @@ void read_mesh(Lexer& lexer, State& state)
 {
     const Mesh mesh = read_streams(lexer, state);
     Builder& builder = state.builder;
-    builder.begin_part(
+    builder.begin_instance(
         lexer, state.node, builder.material(state.material_name, state.material, mesh.texture));
     Unifier unifier(mesh, builder);
     const AffMeshRange range = unifier.add_positions();

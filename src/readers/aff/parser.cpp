@@ -12,6 +12,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -28,6 +30,9 @@ namespace {
 
 // Stops files that include each other twice, twice, twice ...
 constexpr std::size_t kMaxIncludes = 100'000;
+
+// Bytes. A keyword; what is longer is none of this format's.
+constexpr std::size_t kLongestWord = 32;
 
 using Read = void (*)(Lexer&, State&);
 
@@ -48,6 +53,11 @@ const std::unordered_map<std::string_view, Read>& statements()
         {"c", read_cone},
         {"p", read_polygon},
         {"pp", read_smooth_polygon},
+        {"tpp", read_smooth_polygon}, // its texture coordinates are left out
+        {"tet", read_tetrahedron},
+        {"hex", read_cube},
+        {"oct", read_octahedron},
+        {"dod", read_dodecahedron},
         {"tt", read_textured_triangle},
         {"ttp", read_textured_smooth_triangle},
         {"tpa", read_animated_triangle},
@@ -81,9 +91,8 @@ class Parser {
     Parser(const std::string& name, std::string_view text, const AffFiles& files,
         const LoadSettings& settings, std::vector<AffMeshRange>* meshes)
         : files_(files),
-          state_(files, settings, meshes)
+          state_(files, name, settings, meshes)
     {
-        state_.builder.scene.name = name;
         // Included names are relative to the main file's folder.
         open_file(name, std::filesystem::path(name).filename().string(), text);
     }
@@ -95,6 +104,7 @@ class Parser {
         while (!open_.empty()) {
             Lexer& lexer = open_.back().lexer;
             const std::string_view keyword = lexer.next();
+            const bool first = !std::exchange(began_, true);
             const auto known = statements().find(keyword);
             if (keyword.empty())
                 close_file();
@@ -107,9 +117,12 @@ class Parser {
             else if (keyword == "i")
                 include(lexer);
             else
-                lexer.fail_file("there is no statement " + in_quotes(keyword));
+                leave_out(lexer, keyword, first);
         }
         check_camera();
+        // Such a file is likely to be none of this format.
+        if (!state_.builder.has_triangles() && !first_unknown_.empty())
+            throw FileError(first_unknown_);
         return state_.builder.finish();
     }
 
@@ -123,6 +136,28 @@ class Parser {
         std::uint32_t outer_node;
         std::size_t line;
     };
+
+    /// Leaves out a statement that nobody knows, with the rest of its line; numbers and braces at the place of
+    /// a statement show that what is before them was not understood.
+    void leave_out(Lexer& lexer, std::string_view keyword, bool first)
+    {
+        const std::string unknown = lexer.place() + "there is no statement " + in_quotes(keyword);
+        // NFF of Sense8's WorldToolKit begins with that word and its version.
+        if (first && keyword == "nff")
+            lexer.fail_file("this is NFF of WorldToolKit, another format of that name; Haines's "
+                            "Neutral File Format is read");
+        const bool is_word = std::all_of(keyword.begin(), keyword.end(), [](char c) {
+            return '!' <= c && c <= '~';
+        }) && std::any_of(keyword.begin(), keyword.end(), [](char c) {
+            return std::isalpha(static_cast<unsigned char>(c)) != 0;
+        }) && keyword.size() <= kLongestWord;
+        if (!is_word) throw FileError(unknown);
+        if (first_unknown_.empty()) first_unknown_ = unknown;
+        state_.builder.problems.add(
+            "statements that nobody knows are left out with the rest of their lines",
+            in_quotes(keyword) + " in line", lexer.line());
+        while (lexer.has_more_on_line()) lexer.next();
+    }
 
     void open_file(const std::string& name, const std::string& key, std::string_view text)
     {
@@ -207,11 +242,10 @@ class Parser {
     /// A camera must look somewhere, unless a track says where.
     void check_camera() const
     {
-        const Scene& scene = state_.builder.scene;
-        if (!scene.camera) return;
-        for (const Track& track : scene.tracks)
-            if (track.name == "camera" && !track.rotation.empty()) return;
-        const Camera& camera = *scene.camera;
+        if (!state_.builder.camera) return;
+        const Track* track = state_.builder.track_named("camera");
+        if (track && !track->rotation.empty()) return;
+        const Camera& camera = *state_.builder.camera;
         if (camera.direction == glm::dvec3(0))
             throw SceneError(
                 state_.camera_place + "the camera's 'from' and 'at' are the same point");
@@ -227,6 +261,8 @@ class Parser {
     std::vector<OpenBrace> braces_;
     std::unordered_map<std::string, std::unique_ptr<const std::string>> texts_;
     std::size_t includes_ = 0;
+    bool began_ = false;        // a statement was read
+    std::string first_unknown_; // a message about the first statement that nobody knows
 };
 
 } // namespace

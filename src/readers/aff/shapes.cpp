@@ -2,6 +2,8 @@
 #include "readers/aff/facets.h"
 #include "readers/aff/statements.h"
 #include "readers/aff/tessellate.h"
+#include "readers/mesh/triangulate_polygon.h"
+#include "io/parse_number.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,7 +13,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace firsthit::aff {
 namespace {
@@ -22,9 +27,9 @@ glm::vec3 corner_normal(Lexer& lexer, bool has_normal)
     return has_normal ? lexer.small_triple("a corner's normal") : glm::vec3(0);
 }
 
-void begin_plain_part(const Lexer& lexer, State& state)
+void begin_plain_instance(const Lexer& lexer, State& state)
 {
-    state.builder.begin_part(
+    state.builder.begin_instance(
         lexer, state.node, state.builder.material(state.material_name, state.material, -1));
 }
 
@@ -33,12 +38,51 @@ void add_facets(const Lexer& lexer, State& state, const Facets& facets)
     for (const glm::vec3& p : facets.position)
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite(p[axis])) lexer.fail_scene("the shape reaches beyond +-3.4e38");
-    begin_plain_part(lexer, state);
-    const auto first = static_cast<std::uint32_t>(state.builder.scene.position.size());
+    begin_plain_instance(lexer, state);
+    const std::uint32_t first = state.builder.vertices();
     for (std::size_t v = 0; v < facets.position.size(); ++v)
         state.builder.add_vertex(facets.position[v], facets.normal[v]);
     for (const glm::uvec3& t : facets.triangle)
         state.builder.add_triangle(first + t.x, first + t.y, first + t.z);
+}
+
+struct PolygonCorners {
+    std::vector<glm::vec3> position;
+    std::vector<glm::vec3> normal; // zero where there is none
+};
+
+PolygonCorners read_corners(Lexer& lexer, std::uint32_t count, bool have_normals)
+{
+    // As many as the file can still hold: a corner is 6 bytes or more.
+    PolygonCorners corners;
+    corners.position.reserve(std::min<std::size_t>(count, lexer.remaining() / 6 + 1));
+    for (std::uint32_t k = 0; k < count; ++k) {
+        corners.position.push_back(lexer.small_triple("a corner"));
+        corners.normal.push_back(corner_normal(lexer, have_normals));
+    }
+    return corners;
+}
+
+/// Some programs write a colour or texture coordinates behind every corner, which nothing announces but
+/// the end of the line. Reads such corners, each a line with one number more or several.
+/// returns  nothing where the lines are others
+std::optional<PolygonCorners> read_corner_lines(
+    Lexer& lexer, std::uint32_t count, bool have_normals)
+{
+    PolygonCorners corners;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::size_t line_before = lexer.line();
+        if (!parse_number(lexer.peek())) return {};
+        corners.position.push_back(lexer.small_triple("a corner"));
+        const std::size_t line = lexer.line();
+        if (line == line_before || !lexer.has_more_on_line()) return {};
+        corners.normal.push_back(corner_normal(lexer, have_normals));
+        while (lexer.has_more_on_line())
+            if (!parse_number(lexer.next())) return {};
+        if (lexer.line() != line) return {};
+    }
+    if (parse_number(lexer.peek())) return {};
+    return corners;
 }
 
 void read_any_polygon(Lexer& lexer, State& state, bool has_normals)
@@ -46,22 +90,38 @@ void read_any_polygon(Lexer& lexer, State& state, bool has_normals)
     const std::uint32_t count = lexer.count("the number of corners");
     if (count < 3)
         lexer.fail_scene("a polygon should have 3 corners or more, not " + std::to_string(count));
-    // As many as the file can still hold: a corner is 6 bytes or more.
-    std::vector<glm::vec3> position;
-    std::vector<glm::vec3> normal;
-    position.reserve(std::min<std::size_t>(count, lexer.remaining() / 6 + 1));
-    for (std::uint32_t k = 0; k < count; ++k) {
-        position.push_back(lexer.small_triple("a corner"));
-        normal.push_back(corner_normal(lexer, has_normals));
+    const Lexer::Mark begin = lexer.mark();
+    PolygonCorners corners = read_corners(lexer, count, has_normals);
+    if (parse_number(lexer.peek())) {
+        const Lexer::Mark end = lexer.mark();
+        lexer.go_back(begin);
+        if (auto lines = read_corner_lines(lexer, count, has_normals)) {
+            corners = std::move(*lines);
+            state.builder.problems.add(
+                "spare numbers of corners are left out", "line", lexer.line());
+        } else {
+            lexer.go_back(end);
+        }
     }
+    const std::vector<glm::vec3>& position = corners.position;
+    const std::vector<glm::vec3>& normal = corners.normal;
 
-    begin_plain_part(lexer, state);
+    begin_plain_instance(lexer, state);
     const glm::vec3 flat = flat_normal(position);
-    const auto first = static_cast<std::uint32_t>(state.builder.scene.position.size());
+    const std::uint32_t first = state.builder.vertices();
     for (std::size_t k = 0; k < count; ++k)
         state.builder.add_vertex(position[k], unit_or(normal[k], flat));
-    for (std::uint32_t k = 1; k + 1 < count; ++k)
-        state.builder.add_triangle(first, first + k, first + k + 1);
+    if (count == 3) {
+        state.builder.add_triangle(first, first + 1, first + 2);
+        return;
+    }
+    std::vector<glm::uvec3> triangles;
+    if (!triangulate_polygon(position, triangles))
+        state.builder.problems.add(
+            "polygons whose outline crosses itself are cut as well as may be", "line",
+            lexer.line());
+    for (const glm::uvec3& t : triangles)
+        state.builder.add_triangle(first + t.x, first + t.y, first + t.z);
 }
 
 void read_any_textured_triangle(Lexer& lexer, State& state, bool has_normals)
@@ -77,7 +137,7 @@ void read_any_textured_triangle(Lexer& lexer, State& state, bool has_normals)
         uv[k] = lexer.small_pair("a texture coordinate");
     }
 
-    state.builder.begin_part(
+    state.builder.begin_instance(
         lexer, state.node, state.builder.material(state.material_name, state.material, texture));
     const glm::vec3 flat = flat_normal(position);
     std::array<std::uint32_t, 3> vertex;

@@ -14,9 +14,9 @@ namespace firsthit::aff {
 
 /// What statements change for those after them.
 struct State {
-    State(const AffFiles& files, const LoadSettings& load_settings,
+    State(const AffFiles& files, const std::string& name, const LoadSettings& load_settings,
         std::vector<AffMeshRange>* mesh_ranges)
-        : builder(files),
+        : builder(files, name),
           settings(load_settings),
           meshes(mesh_ranges)
     {
@@ -53,6 +53,12 @@ void read_smooth_polygon(Lexer& lexer, State& state);           // pp
 void read_textured_triangle(Lexer& lexer, State& state);        // tt
 void read_textured_smooth_triangle(Lexer& lexer, State& state); // ttp
 void read_animated_triangle(Lexer& lexer, State& state);        // tpa
+
+// platonic.cpp, of extended NFF
+void read_tetrahedron(Lexer& lexer, State& state);  // tet
+void read_cube(Lexer& lexer, State& state);         // hex
+void read_octahedron(Lexer& lexer, State& state);   // oct
+void read_dodecahedron(Lexer& lexer, State& state); // dod
 
 // mesh.cpp
 void read_mesh(Lexer& lexer, State& state); // m

@@ -12,14 +12,12 @@
 namespace firsthit::aff {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Cosine and sine of `segments` equal steps around a circle.
 std::vector<glm::dvec2> circle(int segments)
 {
     std::vector<glm::dvec2> points;
     for (int k = 0; k < segments; ++k) {
-        const double angle = 2 * kPi * k / segments;
+        const double angle = 2 * std::numbers::pi * k / segments;
         points.emplace_back(std::cos(angle), std::sin(angle));
     }
     return points;
@@ -75,7 +73,7 @@ Facets tessellate_sphere(const glm::dvec3& center, double radius, int segments)
     const glm::dvec3 north(0, 1, 0);
     add_vertex(facets, center + r * north, north);
     for (int ring = 1; ring < bands; ++ring) {
-        const double angle = kPi * ring / bands;
+        const double angle = std::numbers::pi * ring / bands;
         for (const glm::dvec2& c : around) {
             const glm::dvec3 out(std::sin(angle) * c.y, std::cos(angle), std::sin(angle) * c.x);
             add_vertex(facets, center + r * out, out);

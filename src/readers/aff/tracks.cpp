@@ -31,7 +31,7 @@ glm::dvec4 read_rotation(Lexer& lexer)
 }
 
 void read_keys(
-    Lexer& lexer, const char* block, glm::dvec4 (*read_value)(Lexer&), std::vector<TrackKey>& keys)
+    Lexer& lexer, const char* block, glm::dvec4 (*read_value)(Lexer&), std::vector<TcbKey>& keys)
 {
     if (!keys.empty()) lexer.fail_file(std::string("a second block '") + block + "' in one track");
     const std::uint32_t count = lexer.count("the number of keys");
@@ -39,7 +39,7 @@ void read_keys(
         lexer.fail_scene(std::string("the block '") + block + "' should have 4 keys or more, not " +
                          std::to_string(count));
     for (std::uint32_t k = 0; k < count; ++k) {
-        TrackKey key;
+        TcbKey key;
         key.time_s = lexer.small_number("a key's time");
         key.value = read_value(lexer);
         key.tension = lexer.small_number("a key's tension");

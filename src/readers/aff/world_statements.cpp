@@ -1,6 +1,8 @@
 // world_statements.cpp - camera, lights, surroundings and materials of an AFF scene.
 #include "readers/aff/statements.h"
 
+#include "io/parse_number.h"
+
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
@@ -8,6 +10,8 @@
 
 namespace firsthit::aff {
 namespace {
+
+constexpr int kMostPixels = 65536; // of a picture's side
 
 /// A light's colour, white where it has none.
 glm::vec3 optional_color(Lexer& lexer)
@@ -23,6 +27,20 @@ void set_material(const Lexer& lexer, State& state, const Phong& material)
 {
     state.material_name = lexer.file() + ":" + std::to_string(lexer.line());
     state.material = material;
+}
+
+/// Some programs write more numbers behind a material, or the file of a texture, which shapes of NFF have no
+/// coordinates for. Other statements may follow on the line.
+void leave_out_extensions(Lexer& lexer, State& state)
+{
+    while (lexer.has_more_on_line()) {
+        const bool is_number = parse_number(lexer.peek()).has_value();
+        if (!is_number && lexer.peek().find('.') == std::string_view::npos) return;
+        lexer.next();
+        state.builder.problems.add(is_number ? "spare numbers of materials are left out"
+                                             : "textures of materials are left out",
+            "line", lexer.line());
+    }
 }
 
 } // namespace
@@ -46,9 +64,18 @@ void read_view(Lexer& lexer, State& state)
     lexer.expect("hither", "v");
     lexer.number("the camera's near plane");
     lexer.expect("resolution", "v");
-    lexer.number("the picture's width");
-    lexer.number("the picture's height");
-    state.builder.scene.camera = camera;
+    const double width = lexer.number("the picture's width");
+    const double height = lexer.number("the picture's height");
+    const auto fits = [](double side) {
+        return 1 <= side && side <= kMostPixels && side == std::floor(side);
+    };
+    if (fits(width) && fits(height))
+        state.builder.scene.set_picture_size({int(width), int(height)});
+    else
+        state.builder.problems.add(
+            "a resolution other than whole numbers of 1 to 65536 is left out", "line",
+            lexer.line());
+    state.builder.camera = camera;
 }
 
 void read_light(Lexer& lexer, State& state)
@@ -70,25 +97,25 @@ void read_moving_light(Lexer& lexer, State& state)
 
 void read_background(Lexer& lexer, State& state)
 {
-    state.builder.scene.background = lexer.small_triple("the background's colour");
+    state.builder.scene.set_background(lexer.small_triple("the background's colour"));
 }
 
 void read_ambient(Lexer& lexer, State& state)
 {
-    state.builder.scene.ambient = lexer.small_triple("the ambient light's colour");
+    state.builder.scene.set_ambient(lexer.small_triple("the ambient light's colour"));
 }
 
 void read_animation(Lexer& lexer, State& state)
 {
-    Scene& scene = state.builder.scene;
-    scene.begin_s = lexer.small_number("the animation's start");
-    scene.end_s = lexer.small_number("the animation's end");
+    Clip& clip = state.builder.clip;
+    clip.begin_s = lexer.small_number("the animation's start");
+    clip.end_s = lexer.small_number("the animation's end");
     const std::int64_t frames = lexer.integer("the number of frames");
-    if (scene.end_s < scene.begin_s) lexer.fail_scene("the animation ends before it starts");
+    if (clip.end_s < clip.begin_s) lexer.fail_scene("the animation ends before it starts");
     if (frames < 1 || frames > 1'000'000'000)
         lexer.fail_scene("the number of frames should lie between 1 and 1000000000, not be " +
                          std::to_string(frames));
-    scene.frames = static_cast<int>(frames);
+    clip.frames = static_cast<int>(frames);
 }
 
 void read_detail(Lexer& lexer, State& state)
@@ -111,6 +138,7 @@ void read_simple_material(Lexer& lexer, State& state)
         if (!std::isfinite(material.diffuse[channel]))
             lexer.fail_scene("the material's Kd times its colour is too large");
     set_material(lexer, state, material);
+    leave_out_extensions(lexer, state);
 }
 
 void read_full_material(Lexer& lexer, State& state)

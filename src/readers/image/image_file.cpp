@@ -1,8 +1,9 @@
-// image_file.cpp - reads pictures by the library stb_image and our own PPM decoder.
+// image_file.cpp - reads pictures by the libraries stb_image and libwebp and our own PPM decoder.
 #include "readers/image/image_file.h"
 
 #include "readers/image/jpeg_check.h"
 #include "readers/image/pnm.h"
+#include "readers/image/webp.h"
 #include "io/whole_file.h"
 
 #include <firsthit/error.h>
@@ -20,6 +21,11 @@
 
 namespace firsthit {
 namespace {
+
+bool is_radiance(std::span<const char> bytes)
+{
+    return bytes.size() >= 2 && bytes[0] == '#' && bytes[1] == '?';
+}
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
@@ -47,9 +53,13 @@ Picture decode_stb(const std::string& name, std::span<const char> bytes)
     const auto fail = [&] {
         const char* reason = stbi_failure_reason();
         throw FileError(
-            fmt::format("{}: not a PNG, JPEG or binary PPM picture, or a damaged one ({})", name,
-                reason ? reason : "unknown reason"));
+            fmt::format("{}: not a PNG, JPEG, WebP or binary PPM picture, or a damaged one ({})",
+                name, reason ? reason : "unknown reason"));
     };
+    if (is_radiance(bytes))
+        throw FileError(fmt::format(
+            "{}: a Radiance picture is no texture: accepted are PNG, JPEG, WebP and binary PPM",
+            name));
     if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
         throw FileError(
             fmt::format("{}: a picture file of {} bytes is too large", name, bytes.size()));
@@ -79,9 +89,16 @@ Picture decode_stb(const std::string& name, std::span<const char> bytes)
 
 } // namespace
 
+Picture decode_picture(const std::string& name, std::span<const char> bytes)
+{
+    if (is_pnm(bytes)) return decode_pnm(name, bytes);
+    if (is_webp(bytes)) return decode_webp(name, bytes);
+    return decode_stb(name, bytes);
+}
+
 Texture decode_texture(const std::string& name, std::span<const char> bytes)
 {
-    return Texture(name, is_pnm(bytes) ? decode_pnm(name, bytes) : decode_stb(name, bytes));
+    return Texture(name, decode_picture(name, bytes));
 }
 
 Texture read_texture(const std::filesystem::path& path)

@@ -9,7 +9,7 @@
 
 namespace firsthit {
 
-/// Reads a PNG, JPEG, PPM or PGM (binary, of 8 or 16 bits) and makes its smaller levels. The
+/// Reads a PNG, JPEG, WebP, PPM or PGM (binary, of 8 or 16 bits) and makes its smaller levels. The
 /// texture's name is the file's.
 /// throws  FileError: unreadable, another format, damaged, wider or higher than 16,384 or of more
 ///         than 2^26 texels
@@ -17,5 +17,8 @@ Texture read_texture(const std::filesystem::path& path);
 
 /// The same for a file's bytes; `name` is for errors.
 Texture decode_texture(const std::string& name, std::span<const char> bytes);
+
+/// The picture alone, without smaller levels.
+Picture decode_picture(const std::string& name, std::span<const char> bytes);
 
 } // namespace firsthit

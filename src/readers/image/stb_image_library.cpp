@@ -13,6 +13,7 @@
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
+#define STBI_ONLY_HDR
 #define STBI_MAX_DIMENSIONS 16384
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop

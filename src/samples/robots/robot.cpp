@@ -11,8 +11,7 @@
 namespace firsthit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kQuarter = kPi / 2;
+constexpr double kQuarter = std::numbers::pi / 2;
 const glm::dvec3 kX(1, 0, 0);
 const glm::dvec3 kZ(0, 0, 1);
 
@@ -54,8 +53,8 @@ void add_drum(Shape& shape, const glm::dvec3& at, double radius, double half_wid
 
 class RobotMaker {
   public:
-    RobotMaker(SceneBuilder& builder, std::string name, const RobotPaint& paint)
-        : builder_(builder),
+    RobotMaker(RobotScene& scene, std::string name, const RobotPaint& paint)
+        : scene_(scene),
           name_(std::move(name)),
           paint_(paint)
     {
@@ -63,14 +62,14 @@ class RobotMaker {
 
     std::int32_t node(const char* part, std::int32_t parent, Track track)
     {
-        return builder_.add_node(name_ + " " + part, parent, std::move(track));
+        return scene_.add_node(name_ + " " + part, parent, std::move(track));
     }
 
     void add_hips(std::int32_t hips)
     {
         Shape shell;
         add_rounded_box(shell, {0.15, 0.085, 0.115}, 0.06, 3, moved(0, 0.015, 0), 0.7);
-        builder_.add_part(hips, paint_.body, std::move(shell));
+        scene_.add_shape(hips, paint_.body, std::move(shell));
 
         // Bellows up to the torso, the axle of the legs.
         Shape metal;
@@ -79,14 +78,14 @@ class RobotMaker {
             bellows.push_back({k % 2 == 0 ? 0.085 : 0.105, 0.18 - 0.015 * k});
         add_lathe(metal, bellows, 12);
         for (const double side : {-1.0, 1.0}) add_drum(metal, {side * 0.155, 0, 0}, 0.075, 0.035);
-        builder_.add_part(hips, paint_.rubber, std::move(metal));
+        scene_.add_shape(hips, paint_.rubber, std::move(metal));
     }
 
     void add_torso(std::int32_t torso)
     {
         Shape shell;
         add_rounded_box(shell, {0.255, 0.235, 0.165}, 0.085, 4, moved(0, 0.30, 0), 0.66);
-        builder_.add_part(torso, paint_.body, std::move(shell));
+        scene_.add_shape(torso, paint_.body, std::move(shell));
 
         Shape plate;
         add_rounded_box(
@@ -97,13 +96,13 @@ class RobotMaker {
                 std::to_array<Outline>({{0, 0.12}, {0.030, 0.117}, {0.042, 0.10}, {0.042, -0.08},
                     {0.03, -0.10}, {0.022, -0.12}, {0, -0.12}}),
                 9, moved(side * 0.075, 0.30, -0.235));
-        builder_.add_part(torso, paint_.metal, std::move(plate));
+        scene_.add_shape(torso, paint_.metal, std::move(plate));
 
         Shape lamp;
         add_ellipsoid(lamp, {0.048, 0.048, 0.022}, 14, moved(0, 0.39, 0.183));
         for (int k = -1; k <= 1; ++k)
             add_ellipsoid(lamp, {0.013, 0.013, 0.01}, 6, moved(0.05 * k, 0.31, 0.181));
-        builder_.add_part(torso, paint_.glow, std::move(lamp));
+        scene_.add_shape(torso, paint_.glow, std::move(lamp));
 
         Shape joints;
         add_lathe(joints,
@@ -112,7 +111,7 @@ class RobotMaker {
             12);
         for (const double side : {-1.0, 1.0})
             add_ellipsoid(joints, {0.09, 0.09, 0.09}, 10, moved(side * 0.285, 0.44, 0));
-        builder_.add_part(torso, paint_.rubber, std::move(joints));
+        scene_.add_shape(torso, paint_.rubber, std::move(joints));
     }
 
     void add_head(std::int32_t head)
@@ -121,7 +120,7 @@ class RobotMaker {
         add_rounded_box(shell, {0.15, 0.125, 0.135}, 0.085, 4, moved(0, 0.17, 0.01), 0.86);
         add_lathe(shell,
             std::to_array<Outline>({{0, 0.315}, {0.03, 0.314}, {0.05, 0.305}, {0.055, 0.285}}), 14);
-        builder_.add_part(head, paint_.body, std::move(shell));
+        scene_.add_shape(head, paint_.body, std::move(shell));
 
         Shape dark;
         add_rounded_box(dark, {0.12, 0.055, 0.03}, 0.03, 2, moved(0, 0.19, 0.128));
@@ -130,7 +129,7 @@ class RobotMaker {
         for (int k = -1; k <= 1; ++k)
             add_rounded_box(
                 dark, {0.045, 0.006, 0.01}, 0.005, 1, moved(0, 0.085 + 0.018 * k, 0.130));
-        builder_.add_part(head, paint_.rubber, std::move(dark));
+        scene_.add_shape(head, paint_.rubber, std::move(dark));
 
         Shape antennae;
         for (const double side : {-1.0, 1.0})
@@ -138,7 +137,7 @@ class RobotMaker {
                 std::to_array<Outline>(
                     {{0.004, 0.17}, {0.005, 0.04}, {0.011, 0.025}, {0.02, 0.0}, {0.026, -0.02}}),
                 7, moved(side * 0.10, 0.285, -0.03, kZ, -side * 0.32));
-        builder_.add_part(head, paint_.metal, std::move(antennae));
+        scene_.add_shape(head, paint_.metal, std::move(antennae));
 
         Shape lights;
         for (const double side : {-1.0, 1.0}) {
@@ -146,7 +145,7 @@ class RobotMaker {
             const glm::dmat4 tip = moved(side * 0.10, 0.285, -0.03, kZ, -side * 0.32);
             add_ellipsoid(lights, {0.019, 0.019, 0.019}, 8, tip * moved(0, 0.18, 0));
         }
-        builder_.add_part(head, paint_.glow, std::move(lights));
+        scene_.add_shape(head, paint_.glow, std::move(lights));
     }
 
     void add_arm(std::int32_t upper, std::int32_t fore, const RobotSize& robot)
@@ -155,14 +154,14 @@ class RobotMaker {
         add_limb(sleeve, 0.0, -robot.upper_arm + 0.035, 0.068, 0.05);
         // Shoulder cap.
         add_ellipsoid(sleeve, {0.092, 0.088, 0.098}, 12, moved(0, 0.03, 0));
-        builder_.add_part(upper, paint_.body, std::move(sleeve));
+        scene_.add_shape(upper, paint_.body, std::move(sleeve));
         Shape elbow;
         add_drum(elbow, {0, -robot.upper_arm, 0}, 0.048, 0.052);
-        builder_.add_part(upper, paint_.rubber, std::move(elbow));
+        scene_.add_shape(upper, paint_.rubber, std::move(elbow));
 
         Shape shell;
         add_limb(shell, -0.035, -0.275, 0.05, 0.06);
-        builder_.add_part(fore, paint_.metal, std::move(shell));
+        scene_.add_shape(fore, paint_.metal, std::move(shell));
         Shape hand;
         add_ellipsoid(hand, {0.035, 0.035, 0.035}, 6, moved(0, -0.285, 0));
         add_rounded_box(hand, {0.022, 0.042, 0.04}, 0.018, 2, moved(0, -0.33, 0));
@@ -171,54 +170,54 @@ class RobotMaker {
                 moved(0, -0.395, 0.026 * finger, kX, -0.12 * finger));
         add_rounded_box(
             hand, {0.0105, 0.03, 0.0105}, 0.009, 1, moved(0, -0.335, 0.062, kX, -0.6)); // thumb
-        builder_.add_part(fore, paint_.rubber, std::move(hand));
+        scene_.add_shape(fore, paint_.rubber, std::move(hand));
     }
 
     void add_leg(std::int32_t thigh, std::int32_t shin, std::int32_t foot, const RobotSize& robot)
     {
         Shape shell;
         add_limb(shell, 0.02, -robot.thigh + 0.03, 0.088, 0.066);
-        builder_.add_part(thigh, paint_.body, std::move(shell));
+        scene_.add_shape(thigh, paint_.body, std::move(shell));
         Shape knee;
         add_drum(knee, {0, -robot.thigh, 0}, 0.062, 0.07);
-        builder_.add_part(thigh, paint_.rubber, std::move(knee));
+        scene_.add_shape(thigh, paint_.rubber, std::move(knee));
 
         Shape calf;
         add_limb(calf, -0.025, -robot.shin + 0.03, 0.06, 0.07);
         add_rounded_box(calf, {0.045, 0.13, 0.025}, 0.022, 2, moved(0, -0.2, 0.05), 0.8);
-        builder_.add_part(shin, paint_.metal, std::move(calf));
+        scene_.add_shape(shin, paint_.metal, std::move(calf));
         Shape cap;
         add_ellipsoid(cap, {0.05, 0.06, 0.035}, 10, moved(0, 0.0, 0.055));
-        builder_.add_part(shin, paint_.body, std::move(cap));
+        scene_.add_shape(shin, paint_.body, std::move(cap));
 
         Shape ankle;
         add_drum(ankle, {0, 0, 0}, 0.045, 0.055);
         add_rounded_box(
             ankle, {0.075, 0.016, 0.145}, 0.012, 1, moved(0, -robot.ankle + 0.016, 0.045)); // sole
-        builder_.add_part(foot, paint_.rubber, std::move(ankle));
+        scene_.add_shape(foot, paint_.rubber, std::move(ankle));
         Shape shoe;
         add_rounded_box(shoe, {0.068, 0.05, 0.13}, 0.045, 3, moved(0, -0.035, 0.05));
-        builder_.add_part(foot, paint_.body, std::move(shoe));
+        scene_.add_shape(foot, paint_.body, std::move(shoe));
     }
 
   private:
-    SceneBuilder& builder_;
+    RobotScene& scene_;
     std::string name_;
     RobotPaint paint_;
 };
 
 } // namespace
 
-void add_robot(SceneBuilder& builder, const std::string& name, const RobotPaint& paint,
+void add_robot(RobotScene& scene, const std::string& name, const RobotPaint& paint,
     const Walk& walk, double begin_s, double end_s)
 {
     const RobotSize robot;
     WalkTracks tracks = make_walk(name, walk, robot, begin_s, end_s);
-    RobotMaker maker(builder, name, paint);
+    RobotMaker maker(scene, name, paint);
 
     const std::int32_t root = maker.node("way", -1, std::move(tracks.root));
     const std::int32_t size =
-        builder.add_node(name + " size", root, glm::scale(glm::dmat4(1), glm::dvec3(walk.size)));
+        scene.add_node(name + " size", root, glm::scale(glm::dmat4(1), glm::dvec3(walk.size)));
     const std::int32_t hips = maker.node("hips", size, std::move(tracks.hips));
     const std::int32_t torso = maker.node("torso", hips, std::move(tracks.torso));
     const std::int32_t head = maker.node("head", torso, std::move(tracks.head));

@@ -1,7 +1,7 @@
 // robot.h - one robot: its body, hung on its joints.
 #pragma once
 
-#include "samples/robots/scene_builder.h"
+#include "samples/robots/robot_scene.h"
 #include "samples/robots/walk.h"
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct RobotPaint {
 };
 
 /// Adds a robot of about 7,000 triangles that walks.
-void add_robot(SceneBuilder& builder, const std::string& name, const RobotPaint& paint,
+void add_robot(RobotScene& scene, const std::string& name, const RobotPaint& paint,
     const Walk& walk, double begin_s, double end_s);
 
 } // namespace firsthit

@@ -11,8 +11,6 @@
 namespace firsthit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 void add_vertex(
     Shape& shape, const glm::dmat4& shape_from_solid, const glm::dvec3& p, const glm::dvec3& n)
 {
@@ -80,7 +78,7 @@ void add_lathe(Shape& shape, std::span<const Outline> outline, int segments,
         if (i > 0) normal += outward(outline[i - 1], outline[i]);
         if (i + 1 < outline.size()) normal += outward(outline[i], outline[i + 1]);
         for (int s = 0; s < segments; ++s) {
-            const glm::dvec3 out = around(2 * kPi * s / segments);
+            const glm::dvec3 out = around(2 * std::numbers::pi * s / segments);
             add_vertex(shape, shape_from_solid,
                 out * outline[i].radius + glm::dvec3(0, outline[i].y, 0),
                 out * normal.x + glm::dvec3(0, normal.y, 0));
@@ -97,10 +95,11 @@ void add_ellipsoid(
     const int rows = std::max(2, segments / 2);
     for (int r = 0; r <= rows; ++r) {
         // Exactly zero at the poles, where sin(pi) is not.
-        const double ring = r == 0 || r == rows ? 0.0 : std::sin(kPi * r / rows);
-        const double y = std::cos(kPi * r / rows);
+        const double ring = r == 0 || r == rows ? 0.0 : std::sin(std::numbers::pi * r / rows);
+        const double y = std::cos(std::numbers::pi * r / rows);
         for (int s = 0; s < segments; ++s) {
-            const glm::dvec3 n = around(2 * kPi * s / segments) * ring + glm::dvec3(0, y, 0);
+            const glm::dvec3 n =
+                around(2 * std::numbers::pi * s / segments) * ring + glm::dvec3(0, y, 0);
             add_vertex(shape, shape_from_solid, n * radius, n / radius);
         }
     }
@@ -117,13 +116,14 @@ void add_rounded_box(Shape& shape, const glm::dvec3& half, double rounding, int 
     for (const double top : {1.0, -1.0})
         for (int r = 0; r <= segments; ++r) {
             const double step = static_cast<double>(r) / segments;
-            const double tilt = kPi / 2 * (top > 0 ? step : 1 + step);
+            const double tilt = std::numbers::pi / 2 * (top > 0 ? step : 1 + step);
             const double y = std::cos(tilt);
             for (int quarter = 0; quarter < 4; ++quarter)
                 for (int s = 0; s <= segments; ++s) {
-                    const double turn = kPi / 2 * (quarter + static_cast<double>(s) / segments);
+                    const double turn =
+                        std::numbers::pi / 2 * (quarter + static_cast<double>(s) / segments);
                     const glm::dvec3 n = around(turn) * std::sin(tilt) + glm::dvec3(0, y, 0);
-                    const glm::dvec3 corner = around(kPi / 2 * (quarter + 0.5));
+                    const glm::dvec3 corner = around(std::numbers::pi / 2 * (quarter + 0.5));
                     const glm::dvec3 sign(corner.x > 0 ? 1 : -1, top, corner.z > 0 ? 1 : -1);
                     glm::dvec3 p = n * rounding + sign * inner;
                     const double width = taper + (1 - taper) * (p.y / half.y + 1) / 2;

@@ -13,9 +13,9 @@
 namespace firsthit {
 namespace {
 
-constexpr int kSize = 512; // texels on a side
-constexpr int kTiles = 8;  // on a side
-constexpr int kTile = kSize / kTiles;
+constexpr int kTextureSize = 512; // texels on a side
+constexpr int kTiles = 8;         // on a side
+constexpr int kTile = kTextureSize / kTiles;
 constexpr int kGrout = 3; // texels between tiles
 
 /// 0 to 1, the same for the same place; after Wang 1997, "Integer Hash Function".
@@ -33,7 +33,7 @@ float noise_at(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
 /// Smooth noise with `cells` cells on a side, which repeats.
 float smooth_noise(int x, int y, int cells, std::uint32_t seed)
 {
-    const float cell = static_cast<float>(kSize) / static_cast<float>(cells);
+    const float cell = static_cast<float>(kTextureSize) / static_cast<float>(cells);
     const float fx = static_cast<float>(x) / cell;
     const float fy = static_cast<float>(y) / cell;
     const auto ix = static_cast<std::uint32_t>(fx);
@@ -73,11 +73,11 @@ glm::vec3 color_at(int x, int y)
 
 Texture make_tiles()
 {
-    Picture picture{kSize, kSize, {}};
-    picture.pixel.reserve(std::size_t(kSize) * kSize);
+    Picture picture{kTextureSize, kTextureSize, {}};
+    picture.pixel.reserve(std::size_t(kTextureSize) * kTextureSize);
     const SrgbTable& table = srgb_table();
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kTextureSize; ++y)
+        for (int x = 0; x < kTextureSize; ++x) {
             const glm::vec3 linear = color_at(x, y);
             picture.pixel.push_back(0xFF000000u | std::uint32_t(table.code(linear.b)) << 16 |
                                     std::uint32_t(table.code(linear.g)) << 8 |

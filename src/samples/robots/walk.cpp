@@ -9,7 +9,6 @@
 namespace firsthit {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kStance = 0.6;      // part of a cycle that a foot is on the ground
 constexpr double kLift = 0.11;       // m, of a foot in the air
 constexpr double kBob = 0.018;       // m, of the hips
@@ -47,9 +46,9 @@ Ankle ankle_at(double phase, double reach, double ankle_height)
     const double u3 = u2 * u;
     ankle.forward = -reach * (2 * u3 - 3 * u2 + 1) + reach * (3 * u2 - 2 * u3) +
                     slope * (u3 - 2 * u2 + u) + slope * (u3 - u2);
-    const double arc = std::sin(kPi * u);
+    const double arc = std::sin(std::numbers::pi * u);
     ankle.height = ankle_height + kLift * arc * arc;
-    ankle.toe_down = 0.5 * std::sin(2 * kPi * u) * arc;
+    ankle.toe_down = 0.5 * std::sin(2 * std::numbers::pi * u) * arc;
     return ankle;
 }
 
@@ -71,14 +70,14 @@ LegAngles bend_leg(const Ankle& ankle, double hip_height, const RobotSize& robot
         std::acos((a * a + distance * distance - b * b) / (2 * a * distance));
     LegAngles angles;
     angles.hip = std::atan2(ankle.forward, down) + before_thigh;
-    angles.knee = kPi - inside_knee;
+    angles.knee = std::numbers::pi - inside_knee;
     angles.foot = ankle.toe_down + angles.hip - angles.knee;
     return angles;
 }
 
-TrackKey key_at(double time_s, const glm::dvec4& value)
+TcbKey key_at(double time_s, const glm::dvec4& value)
 {
-    TrackKey key;
+    TcbKey key;
     key.time_s = time_s;
     key.value = value;
     return key;
@@ -97,7 +96,7 @@ class Walker {
         placed.position = {walk_.center.x + walk_.radius * std::cos(angle), 0,
             walk_.center.y - walk_.radius * std::sin(angle)};
         // Looks along the circle.
-        placed.turn = glm::angleAxis(angle + (walk_.direction > 0 ? kPi : 0.0), kY);
+        placed.turn = glm::angleAxis(angle + (walk_.direction > 0 ? std::numbers::pi : 0.0), kY);
         return placed;
     }
 
@@ -105,7 +104,7 @@ class Walker {
 
     Placement torso(double t) const
     {
-        const double turn = 2 * kPi * phase(t);
+        const double turn = 2 * std::numbers::pi * phase(t);
         return {{0, robot_.waist, 0}, glm::angleAxis(0.10 * std::cos(turn), kY) *
                                           glm::angleAxis(0.035 * std::sin(turn), kZ) *
                                           glm::angleAxis(0.05, kX)};
@@ -113,8 +112,8 @@ class Walker {
 
     Placement head(double t) const
     {
-        const double look = 0.45 * std::sin(2 * kPi * (t / 5.0 + walk_.phase));
-        const double nod = 0.06 * std::sin(4 * kPi * phase(t));
+        const double look = 0.45 * std::sin(2 * std::numbers::pi * (t / 5.0 + walk_.phase));
+        const double nod = 0.06 * std::sin(4 * std::numbers::pi * phase(t));
         return {{0, robot_.neck, 0}, glm::angleAxis(look, kY) * glm::angleAxis(nod, kX)};
     }
 
@@ -155,7 +154,7 @@ class Walker {
     double hip_height(double t) const
     {
         // Highest while one leg passes the other.
-        return robot_.hip_height + kBob * std::cos(4 * kPi * (phase(t) - kStance / 2));
+        return robot_.hip_height + kBob * std::cos(4 * std::numbers::pi * (phase(t) - kStance / 2));
     }
 
     LegAngles leg(double t, Side side) const
@@ -168,7 +167,7 @@ class Walker {
     /// Arms go with the other side's leg.
     double arm_forward(double t, Side side) const
     {
-        return -sign(side) * std::cos(2 * kPi * phase(t));
+        return -sign(side) * std::cos(2 * std::numbers::pi * phase(t));
     }
 
     const Walk& walk_;

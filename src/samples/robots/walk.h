@@ -1,9 +1,10 @@
 // walk.h - how a robot walks: tracks for its joints.
 #pragma once
 
-#include <firsthit/scene.h>
+#include "scene/animate/track.h"
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 
 #include <functional>
 #include <string>

@@ -63,9 +63,13 @@ HWY_INLINE void move_normals(const VertexMatrix& m, const float* from, float* to
         hn::IfThenElse(good, hn::Mul(wz, scale), hn::Set(d, 1.0f)), d, to);
 }
 
-bool move_vertices(const VertexMatrix& m, std::size_t count, const float* position,
-    const float* normal, float* moved_position, float* moved_normal)
+bool move_vertices(
+    const VertexMatrix& m, std::size_t count, const ObjectVertices& from, const MovedVertices& to)
 {
+    const float* const position = &from.position->x;
+    const float* const normal = &from.normal->x;
+    float* const moved_position = &to.position->x;
+    float* const moved_normal = &to.normal->x;
     const Floats d;
     const std::size_t lanes = hn::Lanes(d);
     Float bad = hn::Zero(d);
@@ -122,12 +126,11 @@ VertexMatrix vertex_matrix(const glm::dmat4& world_from_object)
     return matrix;
 }
 
-bool move_vertices(const VertexMatrix& matrix, std::size_t count, const glm::vec3* position,
-    const glm::vec3* normal, glm::vec3* moved_position, glm::vec3* moved_normal)
+bool move_vertices(const VertexMatrix& matrix, std::size_t count, const ObjectVertices& from,
+    const MovedVertices& to)
 {
     if (count == 0) return true; // the arrays may be null
-    return HWY_DYNAMIC_DISPATCH(move_vertices)(
-        matrix, count, &position->x, &normal->x, &moved_position->x, &moved_normal->x);
+    return HWY_DYNAMIC_DISPATCH(move_vertices)(matrix, count, from, to);
 }
 
 } // namespace firsthit

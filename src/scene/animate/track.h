@@ -1,47 +1,28 @@
-// track.h - where a moving node is at a time.
-//
-// A part of a track (translation, rotation, scale) is a Kochanek-Bartels spline through its keys.
-// Its first and last key only shape the tangents: the spline runs from the second key to the last
-// but one, and stands still outside. Fewer than four keys give no spline: the second key holds for
-// ever (or the only one).
-//
-//     key   0     1 -------- 2 -------- 3     4
-//           |     the spline runs here        |
-//           shapes the tangent of 1           shapes the tangent of 3
-//
-// source  Kochanek and Bartels 1984, "Interpolating Splines with Local Tension, Continuity, and
-// Bias
-//         Control"; Lext, Assarsson and Möller 2000, "BART: A Benchmark for Animated Ray Tracing"
+// track.h - all that moves one node by Kochanek-Bartels splines, as BART's files and the robots have it.
 #pragma once
 
-#include <firsthit/scene.h>
+#include <firsthit/animation.h>
 
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace firsthit {
 
-/// The spline of translation or scale keys. At least one key.
-glm::dvec3 evaluate_vector(const std::vector<TrackKey>& keys, double time_s);
+/// The movement of a node: translation * rotation * scale, where what is missing is the identity.
+struct Track {
+    std::string name{};                // as the file has it
+    std::vector<TcbKey> translation{}; // in order of time
+    std::vector<TcbKey> rotation{};    // in order of time
+    std::vector<TcbKey> scale{};       // in order of time
+    std::vector<std::pair<double, bool>>
+        visibility{}; // steps: (time, visible); visible before the first
+};
 
-/// The spline of rotation keys, a unit quaternion. At least one key. Two neighbours more than half
-/// a turn apart are joined the short way.
-///
-/// source  Shoemake 1987, "Quaternion Calculus and Fast Animation" (squad)
-glm::dquat evaluate_rotation(const std::vector<TrackKey>& keys, double time_s);
+/// Adds a channel to the clip for each property that the track moves.
+void add_channels(const Track& track, std::uint32_t node, Clip& clip);
 
-/// parent_from_node = T * R * S at a time, whose missing parts are the identity. Times may be equal
-/// or go backwards: the first piece that ends after the time counts.
-glm::dmat4 evaluate(const Track& track, double time_s);
-
-/// Whether the track shows its node: the last step at or before the time; visible before the first.
-bool is_visible(const Track& track, double time_s);
-
-/// A camera moved by a track: eye = translation, looking along -z of the rotation, y up. What the
-/// track lacks stays.
-Camera moved_camera(const Camera& camera, const Track& track, double time_s);
+/// Where the track is at a time.
+NodeTransform transform_at(const Track& track, double time_s);
 
 } // namespace firsthit

@@ -43,6 +43,8 @@ std::string fault_of(const Light& light)
         return fmt::format("its position {} is not finite", text_of(light.position));
     if (!finite(light.color))
         return fmt::format("its colour {} is not finite", text_of(light.color));
+    if (!(std::isfinite(light.range) && light.range >= 0))
+        return fmt::format("its range {} is none: 0 (no end) or more is accepted", light.range);
     if (light.kind == Light::Kind::point) return {};
     if (!has_length(light.direction))
         return fmt::format("its direction {} is none: accepted is a length from {} to {}",

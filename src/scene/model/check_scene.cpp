@@ -1,6 +1,7 @@
 // check_scene.cpp - does a scene keep its promises?
 #include "scene/model/check_scene.h"
 
+#include "scene/model/check_animation.h"
 #include "scene/model/check_light.h"
 
 #include <firsthit/error.h>
@@ -52,7 +53,7 @@ void check_finite(const Scene& scene, const std::vector<Vector>& values, const c
     if (bad < 0) return;
     const auto at = static_cast<std::size_t>(bad);
     fail(scene, fmt::format("{} {}: {} is {}, not a finite number", what, at / kSize,
-                    "xyz"[at % kSize], flat[at]));
+                    "xyzw"[at % kSize], flat[at]));
 }
 
 void check_sizes(const Scene& scene)
@@ -65,8 +66,8 @@ void check_sizes(const Scene& scene)
     if (scene.owner.size() != scene.index.size())
         fail(scene,
             fmt::format("{} owners for {} triangles", scene.owner.size(), scene.index.size()));
-    const bool deforms = std::all_of(scene.parts.begin(), scene.parts.end(),
-        [](const Part& part) { return static_cast<bool>(part.deform); });
+    const bool deforms = std::all_of(scene.instances.begin(), scene.instances.end(),
+        [](const Instance& instance) { return static_cast<bool>(instance.deform); });
     const auto check = [&](std::size_t size, bool may_be_empty, const char* what) {
         if (size != scene.vertices && !(may_be_empty && size == 0))
             fail(scene, fmt::format("{} {} for {} vertices", size, what, scene.vertices));
@@ -74,6 +75,9 @@ void check_sizes(const Scene& scene)
     check(scene.position.size(), deforms, "positions");
     check(scene.normal.size(), deforms, "normals");
     check(scene.uv.size(), true, "texture coordinates");
+    check(scene.uv1.size(), true, "second texture coordinates");
+    check(scene.color.size(), true, "vertex colours");
+    check(scene.tangent.size(), true, "tangents");
 }
 
 /// -1 means none.
@@ -91,36 +95,11 @@ void check_nodes(const Scene& scene)
         if (node.parent < -1 || node.parent >= static_cast<std::int64_t>(n))
             fail(scene, fmt::format("node {} '{}': parent {} does not come before it", n, node.name,
                             node.parent));
-        check_number(scene, node.track, scene.tracks.size(),
-            fmt::format("node {} '{}': track", n, node.name));
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 4; ++row)
                 if (!std::isfinite(node.local[column][row]))
                     fail(
                         scene, fmt::format("node {} '{}': its matrix is not finite", n, node.name));
-    }
-    check_number(scene, scene.camera_track, scene.tracks.size(), "the camera's track");
-}
-
-void check_keys(
-    const Scene& scene, const Track& track, const std::vector<TrackKey>& keys, const char* what)
-{
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        const TrackKey& key = keys[k];
-        // A sum that is finite has finite terms.
-        const double sum = key.time_s * 0 + key.value.x * 0 + key.value.y * 0 + key.value.z * 0 +
-                           key.value.w * 0 + key.tension * 0 + key.continuity * 0 + key.bias * 0;
-        if (sum != 0 || std::isnan(sum))
-            fail(scene, fmt::format("track '{}': {} key {} is not finite", track.name, what, k));
-    }
-}
-
-void check_tracks(const Scene& scene)
-{
-    for (const Track& track : scene.tracks) {
-        check_keys(scene, track, track.translation, "translation");
-        check_keys(scene, track, track.rotation, "rotation");
-        check_keys(scene, track, track.scale, "scale");
     }
 }
 
@@ -141,52 +120,109 @@ bool all_finite(const Unlit& unlit)
     return all_finite(unlit.color);
 }
 
+bool all_finite(const MetallicRoughness& m)
+{
+    return all_finite(m.base_color) && all_finite(m.emission) && all_finite(m.f0) &&
+           std::isfinite(m.metallic) && std::isfinite(m.roughness) && std::isfinite(m.specular) &&
+           std::isfinite(m.normal_scale) && std::isfinite(m.occlusion_strength);
+}
+
+void check_map(const Scene& scene, const TextureRef& map, const std::string& what)
+{
+    check_number(scene, map.texture, scene.textures.size(), what + ": texture");
+    if (map.uv_set != 0 && map.uv_set != 1)
+        fail(scene,
+            fmt::format("{}: there are no texture coordinates {}, but 0 and 1", what, map.uv_set));
+    for (int column = 0; column < 3; ++column)
+        if (!std::isfinite(map.transform[column].x) || !std::isfinite(map.transform[column].y))
+            fail(scene, what + ": the transform of a texture is not finite");
+}
+
+void check_textures(const Scene& scene, const Phong& phong, const std::string& what)
+{
+    check_number(scene, phong.texture, scene.textures.size(), what + ": texture");
+}
+
+void check_textures(const Scene& scene, const Unlit& unlit, const std::string& what)
+{
+    check_map(scene, unlit.texture, what);
+}
+
+void check_textures(const Scene& scene, const MetallicRoughness& m, const std::string& what)
+{
+    for (const TextureRef* map : {&m.base_color_texture, &m.metallic_roughness_texture,
+             &m.normal_texture, &m.occlusion_texture, &m.emission_texture, &m.specular_texture})
+        check_map(scene, *map, what);
+}
+
 void check_materials(const Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const Material& material = scene.materials[m];
         const std::string what = fmt::format("material {} '{}'", m, material.name);
-        if (!material.double_sided) fail(scene, what + " has one side, which is not drawn yet");
         std::visit(
             [&](const auto& model) {
-                check_number(scene, model.texture, scene.textures.size(), what + ": texture");
+                check_textures(scene, model, what);
                 if (!all_finite(model)) fail(scene, what + " is not finite");
             },
             material.model);
+        check_map(scene, material.opacity_texture, what + ": opacity");
+        if (!std::isfinite(material.opacity) || !std::isfinite(material.alpha_cutoff))
+            fail(scene, what + ": its opacity is not finite");
     }
+}
+
+void check_cameras(const Scene& scene)
+{
+    for (std::size_t c = 0; c < scene.cameras.size(); ++c)
+        check_number(
+            scene, scene.cameras[c].node, scene.nodes.size(), fmt::format("camera {}: node", c));
 }
 
 void check_lights(const Scene& scene)
 {
     for (std::size_t l = 0; l < scene.lights.size(); ++l) {
         const Light& light = scene.lights[l];
-        check_number(scene, light.track, scene.tracks.size(), fmt::format("light {}: track", l));
+        check_number(scene, light.node, scene.nodes.size(), fmt::format("light {}: node", l));
         const std::string fault = fault_of(light);
         if (!fault.empty()) fail(scene, fmt::format("light {}: {}", l, fault));
     }
 }
 
-void check_morphs(const Scene& scene, const Part& part, const std::string& what)
+void check_environment(const Scene& scene)
 {
-    for (std::size_t k = 0; k < part.morph.size(); ++k) {
-        const MorphKey& key = part.morph[k];
-        if (key.position.size() != part.vertex_count || key.normal.size() != part.vertex_count)
-            fail(scene, fmt::format("{}: shape {} has {} positions and {} normals for {} vertices",
-                            what, k, key.position.size(), key.normal.size(), part.vertex_count));
+    const Environment& environment = scene.environment;
+    if (!std::isfinite(environment.rotation_rad))
+        fail(scene, "the rotation of the environment is not finite");
+    if (!(environment.strength >= 0) || !std::isfinite(environment.strength))
+        fail(scene,
+            fmt::format("the environment's strength is {}: accepted are finite numbers from 0",
+                environment.strength));
+}
+
+void check_morphs(const Scene& scene, const Instance& instance, const std::string& what)
+{
+    for (std::size_t k = 0; k < instance.morph.size(); ++k) {
+        const MorphKey& key = instance.morph[k];
+        if (key.position.size() != instance.vertex_count ||
+            key.normal.size() != instance.vertex_count)
+            fail(
+                scene, fmt::format("{}: shape {} has {} positions and {} normals for {} vertices",
+                           what, k, key.position.size(), key.normal.size(), instance.vertex_count));
         check_finite(scene, key.position, "shape position");
         check_finite(scene, key.normal, "shape normal");
         if (!std::isfinite(key.time_s)) fail(scene, fmt::format("{}: shape {}: time", what, k));
     }
 }
 
-/// The part's triangles stay within its vertices and say that it owns them.
+/// The instance's triangles stay within its vertices and say that it owns them.
 void check_triangles(const Scene& scene, std::uint32_t number, const std::string& what)
 {
-    const Part& part = scene.parts[number];
-    const std::uint64_t first = part.first_vertex;
-    const std::uint64_t end = first + part.vertex_count;
-    for (std::size_t t = part.first_triangle;
-         t < std::size_t(part.first_triangle) + part.triangle_count; ++t) {
+    const Instance& instance = scene.instances[number];
+    const std::uint64_t first = instance.first_vertex;
+    const std::uint64_t end = first + instance.vertex_count;
+    for (std::size_t t = instance.first_triangle;
+         t < std::size_t(instance.first_triangle) + instance.triangle_count; ++t) {
         const glm::uvec3& c = scene.index[t];
         if (std::min({c.x, c.y, c.z}) < first || std::max({c.x, c.y, c.z}) >= end)
             fail(scene, fmt::format("triangle {}: vertices {} {} {} are not all in {} to {} of {}",
@@ -197,39 +233,46 @@ void check_triangles(const Scene& scene, std::uint32_t number, const std::string
     }
 }
 
-void check_parts(const Scene& scene)
+void check_instances(const Scene& scene)
 {
     std::size_t next_triangle = 0;
     std::size_t next_vertex = 0;
-    for (std::size_t p = 0; p < scene.parts.size(); ++p) {
-        const Part& part = scene.parts[p];
-        const std::string what = fmt::format("part {} '{}'", p, part.name);
-        if (part.node >= scene.nodes.size())
-            fail(scene, fmt::format("{}: node {} is out of range ({})", what, part.node,
+    for (std::size_t p = 0; p < scene.instances.size(); ++p) {
+        const Instance& instance = scene.instances[p];
+        const std::string what = fmt::format("instance {} '{}'", p, instance.name);
+        if (instance.node >= scene.nodes.size())
+            fail(scene, fmt::format("{}: node {} is out of range ({})", what, instance.node,
                             scene.nodes.size()));
-        if (part.material >= scene.materials.size())
-            fail(scene, fmt::format("{}: material {} is out of range ({})", what, part.material,
+        if (instance.material >= scene.materials.size())
+            fail(scene, fmt::format("{}: material {} is out of range ({})", what, instance.material,
                             scene.materials.size()));
-        if (part.first_triangle != next_triangle)
+        if (instance.first_triangle != next_triangle)
             fail(scene, fmt::format("{}: starts at triangle {}, {} is next", what,
-                            part.first_triangle, next_triangle));
-        next_triangle += part.triangle_count;
+                            instance.first_triangle, next_triangle));
+        next_triangle += instance.triangle_count;
         if (next_triangle > scene.index.size())
             fail(scene, fmt::format("{}: ends at triangle {} of {}", what, next_triangle,
                             scene.index.size()));
-        if (part.first_vertex != next_vertex)
-            fail(scene, fmt::format("{}: starts at vertex {}, {} is next", what, part.first_vertex,
-                            next_vertex));
-        next_vertex += part.vertex_count;
+        if (instance.first_vertex != next_vertex)
+            fail(scene, fmt::format("{}: starts at vertex {}, {} is next", what,
+                            instance.first_vertex, next_vertex));
+        next_vertex += instance.vertex_count;
         if (next_vertex > scene.vertices)
             fail(scene,
                 fmt::format("{}: ends at vertex {} of {}", what, next_vertex, scene.vertices));
-        check_morphs(scene, part, what);
+        check_number(scene, instance.shape, scene.shapes.size(), what + ": shape");
+        check_number(scene, instance.skin, scene.skins.size(), what + ": skin");
+        if (instance.facet_normals &&
+            instance.vertex_count != 3 * std::uint64_t(instance.triangle_count))
+            fail(scene,
+                what + ": its triangles share vertices, so facets have no normals of their own");
+        check_morphs(scene, instance, what);
+        check_deformation(scene, instance, what);
         check_triangles(scene, static_cast<std::uint32_t>(p), what);
     }
     if (next_triangle != scene.index.size())
-        fail(scene,
-            fmt::format("the parts have {} of {} triangles", next_triangle, scene.index.size()));
+        fail(scene, fmt::format("the instances have {} of {} triangles", next_triangle,
+                        scene.index.size()));
 }
 
 } // namespace
@@ -238,13 +281,18 @@ void check_scene(const Scene& scene)
 {
     check_sizes(scene);
     check_nodes(scene);
-    check_tracks(scene);
+    check_animation(scene);
     check_materials(scene);
     check_lights(scene);
-    check_parts(scene);
+    check_environment(scene);
+    check_cameras(scene);
+    check_instances(scene);
     check_finite(scene, scene.position, "vertex");
     check_finite(scene, scene.normal, "normal");
     check_finite(scene, scene.uv, "texture coordinate");
+    check_finite(scene, scene.uv1, "second texture coordinate");
+    check_finite(scene, scene.color, "vertex colour");
+    check_finite(scene, scene.tangent, "tangent");
 }
 
 } // namespace firsthit

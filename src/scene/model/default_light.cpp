@@ -1,33 +1,37 @@
 // default_light.cpp - light for scenes that bring none.
 #include "scene/model/default_light.h"
 
-#include "scene/model/borrow.h"
-
-#include <glm/geometric.hpp>
-
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <variant>
 
 namespace firsthit {
 
+namespace {
+constexpr const char* kDefaultName = "default"; // lights of files do not hang on the camera
+}
+
+bool has_physical_materials(const Scene& scene)
+{
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+        [](const Material& m) { return std::holds_alternative<MetallicRoughness>(m.model); });
+}
+
 void add_default_light(Scene& scene)
 {
-    World world;
-    pose(borrow(scene), scene.begin_s, world);
-    const std::array<glm::vec3, 2> box = bounds(world);
-    const glm::dvec3 middle = (glm::dvec3(box[0]) + glm::dvec3(box[1])) * 0.5;
-    const Camera camera = scene.camera ? world.camera : framing_camera(world);
-
-    const double distance = glm::length(middle - camera.eye);
-    const glm::dvec3 forward = glm::normalize(camera.direction);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::dvec3 up = glm::cross(right, forward);
     Light light;
-    light.position = camera.eye + distance * (0.5 * right + 0.7 * up);
-    // Where the camera is degenerate the renderer says so.
-    if (!std::isfinite(light.position.x + light.position.y + light.position.z))
-        light.position = camera.eye;
+    light.kind = Light::Kind::directional;
+    light.direction = {0.5, -0.8, -1};
+    light.on_camera = true;
+    light.name = kDefaultName;
+    // A matt surface sends 1 / pi of what falls on it to the eye; Phong's formula leaves that out. A third
+    // is left to the light from all around.
+    if (has_physical_materials(scene)) light.color = glm::vec3(2.0f / 3 * 3.14159265f);
     scene.lights.push_back(light);
+}
+
+bool is_default_light(const Light& light)
+{
+    return light.on_camera && light.name == kDefaultName;
 }
 
 } // namespace firsthit

@@ -5,9 +5,14 @@
 
 namespace firsthit {
 
-/// Adds one white point light where a viewer expects it: behind the camera's shoulder, up and to
-/// the right. From the eye it stands off by 0.5 to the camera's right and 0.7 up, times the
-/// distance from the eye to the middle of the scene as it is posed at its start.
+/// Whether a material reflects as metals and dielectrics do, and so has light from all around to show.
+bool has_physical_materials(const Scene& scene);
+
+/// Adds one white light that goes with the camera: from far away, over the viewer's left shoulder, so
+/// that what is seen is lit from whatever side it is looked at.
 void add_default_light(Scene& scene);
+
+/// Whether it is the light of add_default_light.
+bool is_default_light(const Light& light);
 
 } // namespace firsthit

@@ -1,5 +1,5 @@
 // framing.cpp - how large a posed world is, and a camera that sees all of it.
-#include <firsthit/scene.h>
+#include <firsthit/framing.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,6 +47,53 @@ Camera framing_camera(const World& world)
     camera.eye = middle + towards_eye * (kMargin * radius / std::sin(kFov_rad / 2));
     camera.direction = -towards_eye;
     camera.up = {0, 1, 0};
+    return camera;
+}
+
+Camera framing_camera(const World& world, const Framing& framing)
+{
+    const glm::dvec3 back = glm::normalize(framing.towards_eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(framing.up, back));
+    const glm::dvec3 up = glm::cross(back, right);
+    const double tan_y = std::tan(framing.fov_y_rad / 2) * (1 - framing.margin);
+    const double tan_x = tan_y * framing.aspect;
+
+    // A vertex p = (x, y, z) along right, up and back is inside of the right side of the frustum of an eye e
+    // if x - e.x <= tan_x (e.z - z), which is tan_x e.z + e.x >= x + tan_x z: the largest such sum of all
+    // vertices bounds the eye. So do the other three sides; two opposite ones meet where e.z is least.
+    const auto [low, high] = bounds(world);
+    const glm::dvec3 middle = 0.5 * (glm::dvec3(low) + glm::dvec3(high));
+    double right_most = 0, left_most = 0, top_most = 0, bottom_most = 0, nearest = 0, radius = 0;
+    bool first = true;
+    for (const glm::vec3& position : world.position) {
+        const glm::dvec3 p = glm::dvec3(position) - middle;
+        const double x = glm::dot(p, right), y = glm::dot(p, up), z = glm::dot(p, back);
+        const auto widen = [&](double& most, double value) {
+            most = first ? value : std::max(most, value);
+        };
+        widen(right_most, x + tan_x * z);
+        widen(left_most, -x + tan_x * z);
+        widen(top_most, y + tan_y * z);
+        widen(bottom_most, -y + tan_y * z);
+        widen(nearest, z);
+        radius = std::max(radius, glm::length(p));
+        first = false;
+    }
+    if (radius == 0) radius = std::max(1.0, 1e-3 * glm::length(middle));
+    const double by_width = (right_most + left_most) / (2 * tan_x);
+    const double by_height = (top_most + bottom_most) / (2 * tan_y);
+    Camera camera;
+    camera.fov_y_rad = framing.fov_y_rad;
+    if (framing.all_around) {
+        camera.eye = middle + back * (radius / std::sin(std::atan(std::min(tan_x, tan_y))));
+    } else {
+        // The eye stays off what has no width or height, and off a tip that points at it.
+        const double distance = std::max({by_width, by_height, nearest + 0.1 * radius});
+        camera.eye = middle + right * ((right_most - left_most) / 2) +
+                     up * ((top_most - bottom_most) / 2) + back * distance;
+    }
+    camera.direction = -back;
+    camera.up = framing.up;
     return camera;
 }
 

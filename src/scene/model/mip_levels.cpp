@@ -19,6 +19,15 @@ glm::vec4 linear_pixel(std::uint32_t rgba, const std::array<float, 256>& light)
         static_cast<float>(rgba >> 24) / 255.0f};
 }
 
+/// Code / 255.
+std::array<float, 256> shares_of_codes()
+{
+    std::array<float, 256> share{};
+    for (std::size_t code = 0; code < share.size(); ++code)
+        share[code] = static_cast<float>(code) / 255.0f;
+    return share;
+}
+
 /// Which pixels a smaller one covers along one axis, and their shares. Half of an odd size 2n + 1
 /// takes 2 + 1/n pixels: parts of the first and the last of three.
 struct Taps {
@@ -70,9 +79,10 @@ LinearPicture halve(int width, int height, const PixelAt& pixel_at)
 
 } // namespace
 
-LinearPicture half_of(const Picture& picture)
+LinearPicture half_of(const Picture& picture, Encoding encoding)
 {
-    const std::array<float, 256>& light = linear_from_srgb();
+    const std::array<float, 256> light =
+        encoding == Encoding::srgb ? linear_from_srgb() : shares_of_codes();
     return halve(picture.width, picture.height, [&](int x, int y) {
         return linear_pixel(
             picture.pixel[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)], light);

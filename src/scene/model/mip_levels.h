@@ -17,8 +17,8 @@ struct LinearPicture {
 };
 
 /// Half as wide and high, rounded down, at least 1; pixels that straddle two smaller ones count for
-/// both by their share. Colours are averaged in linear light, alpha as it is. Must not be empty.
-LinearPicture half_of(const Picture& picture);
+/// both by their share. Colours are averaged in linear light, alpha and data as they are. Must not be empty.
+LinearPicture half_of(const Picture& picture, Encoding encoding);
 LinearPicture half_of(const LinearPicture& picture);
 
 } // namespace firsthit

@@ -1,6 +1,8 @@
 // smooth_normals.h - normals for triangles that came without.
 #pragma once
 
+#include "base/tasks.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -12,7 +14,6 @@ namespace firsthit {
 struct SmoothNormals {
     std::vector<glm::vec3> normal;     // unit
     std::vector<std::uint32_t> corner; // (3 T) number of each triangle corner's normal
-    bool one_a_point = false;          // a normal's number is that of its point
 };
 
 /// Makes a normal for every group of triangles around a point that pass into one another across
@@ -21,11 +22,18 @@ struct SmoothNormals {
 /// each other in file order are looked at. Triangles without area join no group; where a point has
 /// no others its normal is +z.
 ///
+/// A normal belongs to one point alone. With pi, or more, its number is that of the point, whether
+/// a triangle uses it or not. Normals do not depend on the number of threads.
+///
 /// position         of each point; points are distinct
 /// index            of each triangle's corners into position
 /// crease_angle_rad 0 (flat) to pi (smooth)
 /// source           Max 1999, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2):
 ///                  the weights that are right on a sphere
+SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
+    double crease_angle_rad, Tasks& tasks);
+
+/// The same on one thread.
 SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
     double crease_angle_rad);
 

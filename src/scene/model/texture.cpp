@@ -30,7 +30,7 @@ CodeTable stored_light()
     return table;
 }
 
-CodeTable stored_alpha()
+CodeTable stored_share()
 {
     CodeTable table;
     for (std::size_t code = 0; code < table.size(); ++code)
@@ -38,27 +38,28 @@ CodeTable stored_alpha()
     return table;
 }
 
-Texel texel_of(std::uint32_t rgba)
+Texel texel_of(std::uint32_t rgba, Encoding encoding)
 {
-    static const CodeTable light = stored_light(), alpha = stored_alpha();
-    return {light[rgba & 255], light[rgba >> 8 & 255], light[rgba >> 16 & 255], alpha[rgba >> 24]};
+    static const CodeTable light = stored_light(), share = stored_share();
+    const CodeTable& color = encoding == Encoding::srgb ? light : share;
+    return {color[rgba & 255], color[rgba >> 8 & 255], color[rgba >> 16 & 255], share[rgba >> 24]};
 }
 
-Texel texel_of(const glm::vec4& linear)
+Texel texel_of(const glm::vec4& linear, Encoding)
 {
     return {stored(linear.r), stored(linear.g), stored(linear.b), stored(linear.a)};
 }
 
-/// Appends a picture of any pixels with its border.
+/// Appends a picture of any pixels with its border, where it begins anew.
 template <class AnyPicture>
-void append_level(const AnyPicture& picture, std::vector<Texel>& texels)
+void append_level(const AnyPicture& picture, Encoding encoding, std::vector<Texel>& texels)
 {
     const auto width = std::size_t(picture.width), height = std::size_t(picture.height);
     for (std::size_t y = 0; y < height + 2; ++y) {
         const auto* row = picture.pixel.data() + (y + height - 1) % height * width;
-        texels.push_back(texel_of(row[width - 1]));
-        for (std::size_t x = 0; x < width; ++x) texels.push_back(texel_of(row[x]));
-        texels.push_back(texel_of(row[0]));
+        texels.push_back(texel_of(row[width - 1], encoding));
+        for (std::size_t x = 0; x < width; ++x) texels.push_back(texel_of(row[x], encoding));
+        texels.push_back(texel_of(row[0], encoding));
     }
 }
 
@@ -90,7 +91,8 @@ void check(const std::string& name, std::span<const Picture> levels)
 
 } // namespace
 
-Texture::Texture(std::string name, std::span<const Picture> levels) : name_(std::move(name))
+Texture::Texture(std::string name, std::span<const Picture> levels, Encoding encoding)
+    : name_(std::move(name))
 {
     check(name_, levels);
     width_ = levels[0].width;
@@ -105,14 +107,14 @@ Texture::Texture(std::string name, std::span<const Picture> levels) : name_(std:
     }
     texel_.reserve(texels);
 
-    for (const Picture& level : levels) append_level(level, texel_);
+    for (const Picture& level : levels) append_level(level, encoding, texel_);
     if (levels.size() > 1 || levels_ == 1) return;
     // From the stored picture only once: later levels come from unrounded light.
-    LinearPicture linear = half_of(levels[0]);
-    append_level(linear, texel_);
+    LinearPicture linear = half_of(levels[0], encoding);
+    append_level(linear, encoding, texel_);
     for (int l = 2; l < levels_; ++l) {
         linear = half_of(linear);
-        append_level(linear, texel_);
+        append_level(linear, encoding, texel_);
     }
 }
 
@@ -123,6 +125,31 @@ glm::vec4 Texture::color(int level, int column, int row) const
                std::size_t(row + 1) * std::size_t(width(level) + 2) + std::size_t(column + 1)];
     const auto channel = [&](std::size_t c) { return static_cast<float>(texel[c]) / kOne; };
     return {channel(0), channel(1), channel(2), channel(3)};
+}
+
+void Texture::set_sampler(const Sampler& sampler)
+{
+    const bool same = sampler.wrap_u == sampler_.wrap_u && sampler.wrap_v == sampler_.wrap_v;
+    sampler_ = sampler;
+    if (!same) fill_borders();
+}
+
+void Texture::fill_borders()
+{
+    const bool repeat_u = sampler_.wrap_u == Wrap::repeat;
+    const bool repeat_v = sampler_.wrap_v == Wrap::repeat;
+    for (int l = 0; l < levels(); ++l) {
+        const std::ptrdiff_t w = width(l), h = height(l), row = w + 2;
+        const auto level = texel_.begin() + first_[std::size_t(l)];
+        for (std::ptrdiff_t y = 1; y <= h; ++y) {
+            const auto texel = level + y * row;
+            texel[0] = texel[repeat_u ? w : 1];
+            texel[w + 1] = texel[repeat_u ? 1 : w];
+        }
+        // Whole rows, with their ends.
+        std::copy_n(level + (repeat_v ? h : 1) * row, row, level);
+        std::copy_n(level + (repeat_v ? 1 : h) * row, row, level + (h + 1) * row);
+    }
 }
 
 void Texture::turn_upside_down()

@@ -163,12 +163,12 @@ int likely_face(const CollectWork& work)
 }
 
 template <int kAxis>
-SamplePatch collect_face(const CollectWork& work, float sign, std::size_t first,
-    std::span<IrregularSample> samples, std::span<std::uint64_t> reached, PointChunk& others)
+SamplePatch collect_face(const CollectWork& work, float sign, const SampleRoom& room,
+    std::span<std::uint64_t> reached, PointChunk& others)
 {
     const RealTag d;
     const bool wide = work.mesh.wide_face >= 0;
-    SampleWriter writer(samples.data(), first);
+    SampleWriter writer(room.samples.data(), room.first);
     others.count = 0;
     for_points(work, reached, [&](const real3& p, Ids id, truth chosen) {
         const auto usable = hn::And(is_usable(p).lanes, chosen.lanes);
@@ -181,13 +181,13 @@ SamplePatch collect_face(const CollectWork& work, float sign, std::size_t first,
         const auto other = hn::AndNot(on, usable);
         if (!hn::AllFalse(d, other)) add_points(p, id, {other}, others);
     });
-    return {{first, writer.next() - first}, writer.bounds()};
+    return {{room.first, writer.next() - room.first}, writer.bounds()};
 }
 
-void collect(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& others)
+void collect(const CollectWork& work, const SampleRoom& room, std::span<std::uint64_t> reached,
+    FacePatches& patches, PointChunk& others)
 {
-    parts = {};
+    patches = {};
     if (work.runs.empty()) {
         std::fill(reached.begin(), reached.end(), std::uint64_t(0));
         return;
@@ -199,10 +199,11 @@ void collect(const CollectWork& work, std::size_t first, std::span<IrregularSamp
                             : face.axis_c == 0 ? collect_face<0>
                             : face.axis_c == 1 ? collect_face<1>
                                                : collect_face<2>;
-    const SamplePatch part = collect_on(work, face.sign, first, samples, reached, others);
+    const SamplePatch part = collect_on(work, face.sign, room, reached, others);
     if (others.count > 0)
-        project_points_to_face(work.mesh, others, first + part.range.count, samples, parts);
-    if (part.range.count > 0) parts[std::size_t(number)] = part;
+        project_points_to_face(
+            work.mesh, others, room.first + part.range.count, room.samples, patches);
+    if (part.range.count > 0) patches[std::size_t(number)] = part;
 }
 
 void remove(const std::uint8_t* shadowed, std::span<std::uint64_t> words)
@@ -244,10 +245,10 @@ HWY_EXPORT(collect_chunk);
 HWY_EXPORT(remove);
 HWY_EXPORT(unpack);
 
-void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& spare)
+void collect_hits(const CollectWork& work, const SampleRoom& room, std::span<std::uint64_t> reached,
+    FacePatches& patches, PointChunk& spare)
 {
-    HWY_DYNAMIC_DISPATCH(collect)(work, first, samples, reached, parts, spare);
+    HWY_DYNAMIC_DISPATCH(collect)(work, room, reached, patches, spare);
 }
 
 void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk)

@@ -20,14 +20,21 @@ struct CollectWork {
     std::uint32_t first_id = 0;     // of the tile's first sample
 };
 
-/// Projects the runs' hits onto the light's faces and writes the samples to `samples` from index
-/// `first` on, grouped by face, as project_points_to_face does. Positions have the bits of
-/// hits/hit_position.h, are moved by to_light, and lifted off their receivers.
+/// Where the samples of a tile are written: to elements of `samples` from number `first` on.
+struct SampleRoom {
+    std::span<IrregularSample> samples;
+    std::size_t first;
+};
+
+/// Projects the runs' hits onto the light's faces and writes the samples to their room, grouped by
+/// face, as project_points_to_face does. Positions have the bits of hits/hit_position.h, are moved
+/// by to_light, and lifted off their receivers.
+///
 /// reached  (blocks) receives a bit for each sample of a run that is inside the light's cone
-/// parts    receives the range and bounds of each face's samples
+/// patches  receives the range and bounds of each face's samples
 /// spare    scratch memory with room for the points of the tile
-void collect_hits(const CollectWork& work, std::size_t first, std::span<IrregularSample> samples,
-    std::span<std::uint64_t> reached, FacePatches& parts, PointChunk& spare);
+void collect_hits(const CollectWork& work, const SampleRoom& room, std::span<std::uint64_t> reached,
+    FacePatches& patches, PointChunk& spare);
 
 /// The same positions as points of a chunk, not projected onto faces.
 void collect_points(const CollectWork& work, std::span<std::uint64_t> reached, PointChunk& chunk);

@@ -56,7 +56,8 @@ bool wants_grid(const ShadowMemory& memory, std::size_t samples)
 
 } // namespace
 
-LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory)
+LightVisibility unpack_light_visibility(
+    const LightVisibilityBits& bits, std::size_t tile, Buffer<float>& memory)
 {
     const std::size_t samples = bits.blocks * kBlockSamples;
     memory.resize(bits.lights * samples);
@@ -69,7 +70,7 @@ LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>&
 void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk, int threads)
 {
     memory.samples.resize(chunks * chunk_room(points_a_chunk));
-    if (memory.parts.size() < chunks) memory.parts.resize(chunks);
+    if (memory.face_patches.size() < chunks) memory.face_patches.resize(chunks);
     memory.patches.resize(chunks);
     memory.shadowed.resize(chunks * points_a_chunk);
     while (int(memory.workers.size()) < threads)
@@ -94,25 +95,31 @@ ShadowEffort take_effort(ShadowMemory& memory)
     return std::exchange(memory.effort, {});
 }
 
+/// The samples that lie on one face.
+struct FaceSamples {
+    const CubeFace& face;
+    const SampleBounds& bounds;
+};
+
 /// Tests the samples of one face by the grid. Returns the number of triangles that the grid left
 /// untested. Returns nothing, and tests nothing, where the samples are too crowded for the grid.
-std::optional<std::size_t> test_face_by_grid(const CubeFace& face, const SampleBounds& bounds,
-    const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
-    std::span<std::uint8_t> shadowed)
+std::optional<std::size_t> test_face_by_grid(const FaceSamples& samples, const PencilPoints& points,
+    ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
 {
+    const auto& [face, bounds] = samples;
     Stopwatch watch;
-    const bool sorted = sort_into_grid(memory.samples.span(), memory.patches.span(), bounds,
+    const bool sorted = sort_into_grid({memory.samples.span(), memory.patches.span(), bounds},
         {face.directional, prefers_strips_along_y(memory.mesh, face, bounds)}, points, memory.grid,
         tasks);
     memory.effort.sort_ms += watch.lap_ms();
     if (!sorted || (memory.plan != ShadowPlan::grid && memory.grid.crowding > kCrowded)) return {};
     quantize_all_vertices(face, memory.grid.axes, memory.mesh, tasks);
-    memory.effort.see_ms += watch.lap_ms();
+    memory.effort.project_ms += watch.lap_ms();
     const std::size_t left =
-        test_grid(memory.mesh, memory.grid, points, memory.grid_counts, tasks, shadowed);
+        test_grid(memory.mesh, {memory.grid, points, shadowed}, memory.grid_counts, tasks);
     memory.effort.test_ms += watch.lap_ms();
     if (left > 0) project_all_vertices(face, memory.mesh, tasks); // for the triangles left
-    memory.effort.see_ms += watch.lap_ms();
+    memory.effort.project_ms += watch.lap_ms();
     return left;
 }
 
@@ -125,7 +132,7 @@ void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
         SampleBounds bounds;
         std::size_t count = 0;
         for (std::size_t k = 0; k < chunks; ++k) {
-            const SamplePatch& patch = memory.patches[k] = memory.parts[k][face];
+            const SamplePatch& patch = memory.patches[k] = memory.face_patches[k][face];
             if (patch.range.count == 0) continue;
             bounds.add(patch.bounds);
             count += patch.range.count;
@@ -135,12 +142,12 @@ void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
         const CubeFace seen_by = cube_face(memory.mesh.space.directional, int(face));
         std::optional<std::size_t> left;
         if (wants_grid(memory, count))
-            left = test_face_by_grid(seen_by, bounds, points, memory, tasks, shadowed);
+            left = test_face_by_grid({seen_by, bounds}, points, memory, tasks, shadowed);
         if (left == std::size_t(0)) continue;
         Stopwatch watch;
         if (!left) find_triangles_in_view(seen_by, bounds, memory.mesh, tasks);
-        effort.see_ms += watch.lap_ms();
-        sort_face(memory.mesh, memory.samples.span(), memory.patches.span(), bounds, points,
+        effort.project_ms += watch.lap_ms();
+        sort_face(memory.mesh, {memory.samples.span(), memory.patches.span(), bounds}, points,
             memory.irregular, tasks);
         effort.sort_ms += watch.lap_ms();
         test_face(memory.mesh, points, memory.irregular, tasks, shadowed);
@@ -148,35 +155,32 @@ void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     }
 }
 
-namespace {
-
-/// One light's part of test_exact_shadows.
-void test_light(
-    const SeenTiles& seen, std::size_t l, ShadowMemory& memory, Tasks& tasks, LitBits& visibility)
+void test_exact_shadow(const SeenTiles& seen, const Light& light, ShadowMemory& memory,
+    Tasks& tasks, std::span<std::uint64_t> words)
 {
     const World& world = seen.world;
     const std::span<const HitTile> tiles = seen.tiles;
     TileOcclusion* const tile_occlusion = seen.tile_occlusion;
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
-    const Light& light = world.lights[l];
+    const std::size_t blocks = samples / kBlockSamples;
     const PencilSpace space = light_space(light, seen.eye);
     std::optional<SpotCone> cone;
     if (light.kind == Light::Kind::spot) cone = spot_cone(light);
     Stopwatch watch;
     if (tile_occlusion && find_occluded_tiles(world, space, tiles, *tile_occlusion, tasks)) {
-        std::fill_n(&visibility.words[visibility.first_word(l, 0)],
-            visibility.tiles * visibility.blocks, std::uint64_t(0));
+        std::fill(words.begin(), words.end(), std::uint64_t(0));
         memory.effort.collect_ms += watch.lap_ms();
         return;
     }
     memory.effort.collect_ms += watch.lap_ms();
+    memory.mesh.cutouts.find(*world.scene, kShadowOpacity);
     make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
-    memory.effort.see_ms += watch.lap_ms();
+    memory.effort.project_ms += watch.lap_ms();
     tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
-        std::uint64_t* words = &visibility.words[visibility.first_word(l, tile)];
+        const std::span<std::uint64_t> reached = words.subspan(tile * blocks, blocks);
         if (tile_occlusion && tile_occlusion->hidden[tile]) {
-            std::fill_n(words, visibility.blocks, std::uint64_t(0));
-            memory.parts[tile] = {};
+            std::fill(reached.begin(), reached.end(), std::uint64_t(0));
+            memory.face_patches[tile] = {};
             return;
         }
         TileReceivers& receivers = memory.workers[worker]->receivers;
@@ -184,24 +188,22 @@ void test_light(
         find_receivers(memory.mesh, tiles[tile], receivers);
         collect_hits({tiles[tile], receivers.runs(), memory.mesh, cone ? &*cone : nullptr,
                          std::uint32_t(tile * samples)},
-            tile * chunk_room(samples), memory.samples.span(), {words, visibility.blocks},
-            memory.parts[tile], chunk);
+            {memory.samples.span(), tile * chunk_room(samples)}, reached, memory.face_patches[tile],
+            chunk);
         std::memset(memory.shadowed.data() + tile * samples, 0, samples);
     });
     memory.effort.collect_ms += watch.lap_ms();
     test_chunks(HitPoints(tiles, memory.mesh), memory, tasks, memory.shadowed.span());
     watch.lap_ms();
     tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t) {
-        remove_shadowed(memory.shadowed.data() + tile * samples,
-            visibility.words.span().subspan(visibility.first_word(l, tile), visibility.blocks));
+        remove_shadowed(
+            memory.shadowed.data() + tile * samples, words.subspan(tile * blocks, blocks));
     });
     memory.effort.collect_ms += watch.lap_ms();
 }
 
-} // namespace
-
 void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks,
-    LitBits& visibility, const StageProgress& progress)
+    LightVisibilityBits& visibility, const StageProgress& progress)
 {
     const std::span<const HitTile> tiles = seen.tiles;
     const std::size_t lights = seen.world.lights.size();
@@ -212,7 +214,9 @@ void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& task
     visibility.words.resize(lights * visibility.tiles * visibility.blocks);
     resize(memory, tiles.size(), samples, tasks.threads());
     for (std::size_t l = 0; l < lights; ++l) {
-        test_light(seen, l, memory, tasks, visibility);
+        test_exact_shadow(seen, seen.world.lights[l], memory, tasks,
+            visibility.words.span().subspan(
+                visibility.first_word(l, 0), visibility.tiles * visibility.blocks));
         progress.step(l, lights);
     }
 }

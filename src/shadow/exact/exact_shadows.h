@@ -23,7 +23,7 @@ namespace firsthit {
 /// Time and work of the stages.
 struct ShadowEffort {
     double collect_ms = 0;    // moving hits into the light's space
-    double see_ms = 0;        // projecting vertices and triangles onto the light's faces
+    double project_ms = 0;    // projecting vertices and triangles onto the light's faces
     double sort_ms = 0;       // sorting samples and triangles into cells
     double test_ms = 0;       // testing triangles against samples
     std::uint64_t points = 0; // shadow rays: (hit, light) pairs that face each other
@@ -51,7 +51,7 @@ struct ShadowMemory {
     SampleGrid grid;
     std::vector<GridTestCounts> grid_counts;       // (threads)
     Buffer<IrregularSample, Pages::small> samples; // (chunks, chunk_room)
-    std::vector<FacePatches> parts;                // (chunks)
+    std::vector<FacePatches> face_patches;         // (chunks)
     Buffer<SamplePatch> patches;                   // (chunks) of one face
     Buffer<std::uint8_t> shadowed;                 // (points) of one light
     std::vector<std::unique_ptr<ShadowWorker>> workers;
@@ -67,13 +67,13 @@ void resize(ShadowMemory& memory, std::size_t chunks, std::size_t points_a_chunk
 /// Tests the samples of all chunks and writes shadowed[id] = 1 for those that a triangle shadows;
 /// other elements are not written. A chunk is a group of points that were collected together: the
 /// hits of one tile, or a range of arbitrary points (point_shadows.h). The caller has filled in
-/// memory.mesh, memory.samples and memory.parts.
+/// memory.mesh, memory.samples and memory.face_patches.
 void test_chunks(const PencilPoints& points, ShadowMemory& memory, Tasks& tasks,
     std::span<std::uint8_t> shadowed);
 
 /// Light visibility as one bit for each light, tile and sample: 1 where the light reaches the
 /// sample. Bits are in tile order: word k of a tile holds its block k.
-struct LitBits {
+struct LightVisibilityBits {
     Buffer<std::uint64_t> words; // (lights, tiles, blocks)
     std::size_t lights = 0;
     std::size_t tiles = 0;
@@ -87,17 +87,24 @@ struct LitBits {
 };
 
 /// Converts one tile's bits, of all lights, to floats 0 and 1. The result points into `memory`.
-LightVisibility unpack_lit(const LitBits& bits, std::size_t tile, Buffer<float>& memory);
+LightVisibility unpack_light_visibility(
+    const LightVisibilityBits& bits, std::size_t tile, Buffer<float>& memory);
 
-/// The hits whose light visibility is asked for.
+/// The hits whose light visibility is computed.
 struct SeenTiles {
     const World& world;
     const glm::dvec3& eye; // where the hits were seen from
-    std::span<const HitTile>
-        tiles; // of one picture part; all of one size, their items in one array
+    // Of one section of the picture; of equal size, with their items in one array.
+    std::span<const HitTile> tiles;
     TileOcclusion* tile_occlusion = nullptr; // of these tiles, with occluders; or null.
                                              // Tiles that it hides are not tested
 };
+
+/// Computes which hits one light reaches, as test_exact_shadows does for all lights of the world. The caller
+/// has called resize for the tiles.
+/// words  (tiles, blocks) receives the answers, in the order of LightVisibilityBits
+void test_exact_shadow(const SeenTiles& seen, const Light& light, ShadowMemory& memory,
+    Tasks& tasks, std::span<std::uint64_t> words);
 
 /// Computes the light visibility of all hits of the tiles for all lights of the world. A light
 /// reaches a hit if it is on the same side of the item's plane as the eye, the hit is inside the
@@ -105,6 +112,6 @@ struct SeenTiles {
 /// visibility  receives the answers
 /// progress    receives a step for each light
 void test_exact_shadows(const SeenTiles& seen, ShadowMemory& memory, Tasks& tasks,
-    LitBits& visibility, const StageProgress& progress = {});
+    LightVisibilityBits& visibility, const StageProgress& progress = {});
 
 } // namespace firsthit

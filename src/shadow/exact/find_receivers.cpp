@@ -6,7 +6,7 @@
 #include "base/simd.h"
 
 #include "shadow/exact/find_receivers.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 #include <algorithm>
 #include <cstring>

@@ -31,15 +31,18 @@ class GivenPoints : public PencilPoints {
 
 } // namespace
 
-void test_points(const World& world, const PencilSpace& space, const PointSet& points,
-    ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed)
+void test_points(const LitWorld& lit, const PointSet& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed)
 {
+    const World& world = lit.world;
+    const PencilSpace& space = lit.space;
     const std::size_t count = points.given.size();
     const std::size_t chunks = (count + kChunk - 1) / kChunk;
     resize(memory, chunks, kChunk, tasks.threads());
     Stopwatch watch;
+    memory.mesh.cutouts.find(*world.scene, kShadowOpacity);
     make_pencil_mesh(space, world.position, world.scene->index, memory.mesh, tasks);
-    memory.effort.see_ms += watch.lap_ms();
+    memory.effort.project_ms += watch.lap_ms();
     tasks.for_each(chunks, [&](std::size_t number, std::size_t worker) {
         PointChunk& chunk = memory.workers[worker]->chunk;
         const std::size_t first = number * kChunk;
@@ -48,7 +51,7 @@ void test_points(const World& world, const PencilSpace& space, const PointSet& p
         move_points(points, space, first, chunk);
         if (!points.receivers.empty()) lift_points(memory.mesh, points.receivers.data(), 0, chunk);
         project_points_to_face(memory.mesh, chunk, number * chunk_room(kChunk),
-            memory.samples.span(), memory.parts[number]);
+            memory.samples.span(), memory.face_patches[number]);
     });
     memory.effort.collect_ms += watch.lap_ms();
     test_chunks(GivenPoints(points, memory.mesh), memory, tasks, shadowed);

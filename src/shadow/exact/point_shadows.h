@@ -9,8 +9,14 @@
 
 namespace firsthit {
 
-/// Writes shadowed[k] = 1 where a triangle shadows points.given[k] from the light, else 0.
-void test_points(const World& world, const PencilSpace& space, const PointSet& points,
-    ShadowMemory& memory, Tasks& tasks, std::span<std::uint8_t> shadowed);
+/// A world, and the space in which a light sees it.
+struct LitWorld {
+    const World& world;
+    const PencilSpace& space;
+};
+
+/// Writes shadowed[k] = 1 if a triangle shadows points.given[k] from the light, else 0.
+void test_points(const LitWorld& lit, const PointSet& points, ShadowMemory& memory, Tasks& tasks,
+    std::span<std::uint8_t> shadowed);
 
 } // namespace firsthit

@@ -15,27 +15,32 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::uint32_t kFewTriangles = 12;  // of a scene part; a box has 12
+constexpr std::uint32_t kFewTriangles = 12;  // of a scene instance; a box has 12
 constexpr std::size_t kMostOccluders = 8192; // each costs about 40 ns for every light
 
-/// Lists the triangles of all scene parts with at most kFewTriangles triangles; if these are more
-/// than kMostOccluders, lowers the limit for a scene part until they are not.
-void find_occluders(const Scene& scene, Buffer<std::uint32_t>& occluders)
+/// Lists the triangles of all scene instances with at most kFewTriangles triangles, none of them
+/// cut-outs; if these are more than kMostOccluders, lowers the limit for a scene instance until they
+/// are not.
+void find_occluders(const Scene& scene, const Cutouts& cutouts, Buffer<std::uint32_t>& occluders)
 {
-    std::array<std::size_t, kFewTriangles + 1> triangles{}; // in scene parts of k triangles, by k
-    for (const Part& part : scene.parts)
-        if (part.triangle_count <= kFewTriangles)
-            triangles[part.triangle_count] += part.triangle_count;
+    const auto is_cutout = [&](const Instance& instance) {
+        return instance.triangle_count > 0 && cutouts.has(instance.first_triangle);
+    };
+    std::array<std::size_t, kFewTriangles + 1>
+        triangles{}; // in scene instances of k triangles, by k
+    for (const Instance& instance : scene.instances)
+        if (instance.triangle_count <= kFewTriangles && !is_cutout(instance))
+            triangles[instance.triangle_count] += instance.triangle_count;
     std::uint32_t few = 0;
     std::size_t count = 0;
     while (few < kFewTriangles && count + triangles[few + 1] <= kMostOccluders)
         count += triangles[++few];
     occluders.resize(count);
     std::size_t next = 0;
-    for (const Part& part : scene.parts)
-        if (part.triangle_count <= few)
-            for (std::uint32_t k = 0; k < part.triangle_count; ++k)
-                occluders[next++] = part.first_triangle + k;
+    for (const Instance& instance : scene.instances)
+        if (instance.triangle_count <= few && !is_cutout(instance))
+            for (std::uint32_t k = 0; k < instance.triangle_count; ++k)
+                occluders[next++] = instance.first_triangle + k;
 }
 
 dvec3 in_light_space(const PencilSpace& space, const dvec3& p)
@@ -143,7 +148,7 @@ bool project_triangle_to_face(const CubeFace& face, const Corners& corners, Proj
     return true;
 }
 
-/// Chooses the triangles that cover the largest parts of the bounds on a face.
+/// Chooses the triangles that cover the largest areas of the bounds on a face.
 FaceOccluders occluders_of(const World& world, const PencilSpace& space, const CubeFace& face,
     const SampleBounds& bounds, std::span<const std::uint32_t> occluders)
 {
@@ -160,6 +165,7 @@ FaceOccluders occluders_of(const World& world, const PencilSpace& space, const C
 struct Occluders {
     const World& world;
     const PencilSpace& space;
+    const Cutouts& cutouts;
     CubeFace face;
     FaceOccluders occluders;
 
@@ -188,7 +194,7 @@ struct Occluders {
     bool hide_with(std::uint32_t first, const Corners& corners, std::uint32_t second,
         const SampleBounds& bounds, const HitTile& hits) const
     {
-        if (second >= world.scene->index.size()) return false;
+        if (second >= world.scene->index.size() || cutouts.has(second)) return false;
         const Corners others = corners_in_light_space(world, space, second);
         return usable(others) && pair_shadows_box(space, face, corners, others, bounds) &&
                nothing_is_on(first, second, hits);
@@ -206,7 +212,8 @@ struct Occluders {
 void start_tile_occlusion(
     const World& world, std::size_t tiles, TileOcclusion& tile_occlusion, Tasks& tasks)
 {
-    find_occluders(*world.scene, tile_occlusion.occluders);
+    tile_occlusion.cutouts.find(*world.scene, kShadowOpacity);
+    find_occluders(*world.scene, tile_occlusion.cutouts, tile_occlusion.occluders);
     if (!tile_occlusion.has_occluders()) return;
     tile_occlusion.hulls.resize(tiles);
     constexpr std::size_t kRange = 8192; // vertices
@@ -230,7 +237,8 @@ bool find_occluded_tiles(const World& world, const PencilSpace& space,
 {
     project_tiles(space, tile_occlusion, tasks);
     const auto on_face = [&](int face) {
-        return Occluders{world, space, cube_face(space.directional, face), {}};
+        return Occluders{
+            world, space, tile_occlusion.cutouts, cube_face(space.directional, face), {}};
     };
     std::array faces{on_face(0), on_face(1), on_face(2), on_face(3), on_face(4), on_face(5)};
     for (int face = 0; face < kCubeFaces; ++face) {

@@ -10,6 +10,7 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
+#include "exact/cutouts.h"
 #include "exact/shadow_ray.h"
 #include "irregular/mesh/samples.h"
 #include "shadow/exact/tile_hull.h"
@@ -30,6 +31,7 @@ struct TileBounds {
 
 /// Memory that is kept from frame to frame.
 struct TileOcclusion {
+    Cutouts cutouts;                 // which hide nothing
     Buffer<std::uint32_t> occluders; // triangles of scene parts with few triangles
     double farthest = 0;             // largest absolute coordinate of all vertices, world space
     Buffer<TileHull> hulls;          // (tiles)
@@ -41,7 +43,8 @@ struct TileOcclusion {
     bool has_occluders() const { return occluders.size() > 0; }
 };
 
-/// Begins a picture part: finds the occluders. Costs next to nothing in a scene without any.
+/// Begins a section of the picture: finds the occluders. Costs next to nothing in a scene without
+/// any.
 void start_tile_occlusion(
     const World& world, std::size_t tiles, TileOcclusion& tile_occlusion, Tasks& tasks);
 

@@ -1,4 +1,4 @@
-// geometry_copy.cpp - tells whether the geometry has changed since the last frame.
+// geometry_copy.cpp - finds out whether the geometry has changed since the last frame.
 #include "shadow/map/geometry_copy.h"
 
 #include <algorithm>

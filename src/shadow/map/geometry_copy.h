@@ -1,4 +1,4 @@
-// geometry_copy.h - tells whether the geometry has changed since the last frame.
+// geometry_copy.h - finds out whether the geometry has changed since the last frame.
 #pragma once
 
 #include "base/buffer.h"

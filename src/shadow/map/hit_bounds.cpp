@@ -79,11 +79,12 @@ HWY_INLINE void add_points(
 
 /// If all eight points of the hull of a block's hits lie on one face, so do the hits: adds the
 /// points as bounds of the hits. Else adds nothing and returns false.
-HWY_INLINE bool add_hull(const LightFrame& light, const Rays& to, float x, float y,
-    const HitDepths& depths, LaneBounds (&bounds)[kFaces])
+///
+/// hits  their number
+HWY_INLINE bool add_hull(
+    const LightFrame& light, const HitHull& hull, std::size_t hits, LaneBounds (&bounds)[kFaces])
 {
     constexpr int kRegisters = HitHull::kRegisters;
-    const HitHull hull = hit_hull(to, x, y, kBlock, depths);
     const real3(&p)[kRegisters] = hull.p;
     truth reached[kRegisters];
     for (int k = 0; k < kRegisters; ++k) {
@@ -92,14 +93,14 @@ HWY_INLINE bool add_hull(const LightFrame& light, const Rays& to, float x, float
     }
     if (light.parallel) {
         for (int k = 0; k < kRegisters; ++k) bounds[kOnlyFace].add(reached[k], p[k].x, p[k].y);
-        bounds[kOnlyFace].hits += depths.hits;
+        bounds[kOnlyFace].hits += hits;
         return true;
     }
     const auto add_face = [&](int face) {
         for (int k = 0; k < kRegisters; ++k)
             if (!all(on_faces(p[k]).of(face))) return false;
         for (int k = 0; k < kRegisters; ++k) add_on_face(face, reached[k], p[k], bounds[face]);
-        bounds[face].hits += depths.hits;
+        bounds[face].hits += hits;
         return true;
     };
     return add_face(0) || add_face(1) || add_face(2) || add_face(3) || add_face(4) || add_face(5);
@@ -118,7 +119,8 @@ void add_tile(const HitTile& hits, const LightFrame& light, LightBounds& total)
         const float* block_t = hits.t + block * kBlockSamples;
         if (!cone) {
             const HitDepths depths = block_depths(block_t);
-            if (depths.hits == 0 || add_hull(light, to, x, y, depths, bounds)) continue;
+            if (depths.hits == 0) continue;
+            if (add_hull(light, hit_hull(to, x, y, kBlock, depths), depths.hits, bounds)) continue;
         }
         for (int first = 0; first < kBlockSamples; first += kLanes) {
             const real t = load(block_t + first);

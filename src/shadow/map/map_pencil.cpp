@@ -1,4 +1,4 @@
-// map_pencil.cpp - the rays of a shadow map's texels, and the way from a point to its texel.
+// map_pencil.cpp - the rays of a shadow map's texels, and the transform from a point to its texel.
 #include "shadow/map/map_pencil.h"
 
 #include "exact/hit.h"
@@ -11,7 +11,7 @@
 namespace firsthit {
 namespace {
 
-/// The least and greatest z of the vertices that count, in a parallel light's frame.
+/// The least and greatest z of all usable vertices (exact/hit.h), in a parallel light's frame.
 struct DepthRange {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ DepthRange depth_range(const World& world, const glm::dvec3& z)
     return range;
 }
 
-/// How the map's rays run, apart from the rectangle that is rasterised.
+/// The pencil of the map's rays, without the rectangle that is rasterised.
 Pencil map_pencil(const World& world, const LightFrame& frame, int face, const MapFit& fit)
 {
     const glm::dmat3 rows = glm::transpose(face_matrix(frame, face));
@@ -37,14 +37,16 @@ Pencil map_pencil(const World& world, const LightFrame& frame, int face, const M
     const double f = 1 / fit.texel; // texels
     pencil.f = glm::dvec2(f);
     if (!frame.parallel) {
-        // Sheared: the rectangle's middle becomes the axis, so that numbers stay small.
+        // Shear the frustum so that its axis goes through the rectangle's middle and numbers stay
+        // small.
         pencil.eye = frame.origin;
         pencil.eye_from_world = glm::transpose(glm::dmat3(f * (rows[0] - fit.middle_x * rows[2]),
             f * (rows[1] - fit.middle_y * rows[2]), rows[2]));
         return pencil;
     }
     const DepthRange range = depth_range(world, rows[2]);
-    // Depths from 0 to d become 1/t from 2 d down to d: all are as precise.
+    // Depths from 0 to d become values of 1/t from 2 d down to d, which all have the same
+    // precision.
     const double wide = fit.texel * std::max(fit.width, fit.height);
     const double deep = std::max(range.greatest - range.least, wide * 0x1p-10);
     pencil.parallel = true;
@@ -56,7 +58,7 @@ Pencil map_pencil(const World& world, const LightFrame& frame, int face, const M
 
 } // namespace
 
-Pencil place_map(const World& world, int face, ShadowMap& map)
+Pencil set_map_transform(const World& world, int face, ShadowMap& map)
 {
     const LightFrame& frame = map.source.frame;
     const Pencil pencil = map_pencil(world, frame, face, map.source.fit);

@@ -1,4 +1,4 @@
-// map_pencil.h - the rays of a shadow map's texels, and the way from a point to its texel.
+// map_pencil.h - the rays of a shadow map's texels, and the transform from a point to its texel.
 #pragma once
 
 #include "exact/pencil.h"
@@ -8,9 +8,9 @@
 
 namespace firsthit {
 
-/// Fills in the map's matrix, origin and offset from its source. The result's x0, y0, width and
-/// height are not set: they choose the texels that are rasterised. Of a parallel light's map,
-/// depths are 0 or more, and at most half of the pencil's `far`.
-Pencil place_map(const World& world, int face, ShadowMap& map);
+/// Fills in the map's matrix, origin and offset from its source, and returns the pencil of its
+/// rays. The pencil's x0, y0, width and height are not set; they select the texels to rasterise. In
+/// the map of a parallel light, depths are from 0 to half of the pencil's `far`.
+Pencil set_map_transform(const World& world, int face, ShadowMap& map);
 
 } // namespace firsthit

@@ -5,7 +5,7 @@
 
 #include "shadow/map/raster_depth.h"
 #include "visibility/raster/sample_registers-inl.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 #include "visibility/bin/triangle_box.h"
 
 #include <firsthit/scene.h>
@@ -242,13 +242,13 @@ void raster_batch(DepthTile& tile, float x0, float y0)
 }
 
 template <CornerSpace kSpace>
-HWY_INLINE void gather(const ViewMemory& view, const TileEntry& entry, DepthTile& tile)
+HWY_INLINE void gather(const EyeMesh& mesh, const TileEntry& entry, DepthTile& tile)
 {
     const int i = tile.count++;
-    const glm::uvec3 index = view.index[entry.triangle];
+    const glm::uvec3 index = mesh.index[entry.triangle];
     for (int k = 0; k < 3; ++k) {
-        const glm::vec3 p = kSpace == CornerSpace::flat ? glm::vec3(view.corner[index[k]])
-                                                        : eye_corner(view, index[k]);
+        const glm::vec3 p = kSpace == CornerSpace::flat ? glm::vec3(mesh.corner[index[k]])
+                                                        : eye_corner(mesh, index[k]);
         tile.corner[3 * k][i] = p.x;
         tile.corner[3 * k + 1][i] = p.y;
         tile.corner[3 * k + 2][i] = p.z;
@@ -272,32 +272,38 @@ HWY_INLINE bool is_large(const TileEntry& entry, int half)
     return entry.x1 - entry.x0 >= half && entry.y1 - entry.y0 >= half;
 }
 
-/// Merges the fragments [first, last) of the view into the tile.
-void merge(const ViewMemory& view, std::size_t first, std::size_t last, DepthTile& tile)
+/// Stores the fragments that are nearer than what is stored.
+void merge(std::span<const DepthFragment> fragments, DepthTile& tile)
 {
     float* HWY_RESTRICT w = tile.w.data();
-    for (const DepthFragment& fragment : view.depth_fragment.span().subspan(first, last - first)) {
-        float& stored = w[fragment.place & 0xFFFF];
+    for (const DepthFragment& fragment : fragments) {
+        float& stored = w[fragment.sample & 0xFFFF];
         stored = std::max(stored, fragment.w);
     }
 }
 
-void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y0, DepthTile& tile)
+void raster_depths(const EyeMesh& mesh, const LatticeTile& rays, const TileBin<DepthFragment>& bin,
+    DepthTile& tile)
 {
-    const auto entries = view.entry.span().subspan(
-        view.tile_start[number], view.tile_start[number + 1] - view.tile_start[number]);
+    const std::span<const TileEntry> entries = bin.entries;
+    const float x0 = rays.x0, y0 = rays.y0;
     std::fill_n(tile.w.data(), tile.w.size(), 0.0f);
-    merge(view, view.fragment_start[number], view.fragment_start[number + 1], tile);
+    merge(bin.fragments, tile);
     // Large triangles first. Triangles behind them, such as all below a roof, change no depth and
     // are skipped.
-    const int half = view.tile_size / 2;
+    const int half = tile.size / 2;
     bool any_large = false, any_behind = false;
     const auto raster = [&](const TileEntry& entry) {
-        gather<CornerSpace::flat>(view, entry, tile);
+        gather<CornerSpace::flat>(mesh, entry, tile);
         if (tile.count == DepthTile::kBatch) raster_batch<CornerSpace::flat>(tile, x0, y0);
     };
     const auto is_behind = [](const TileEntry& entry) { return !(entry.nearest_z > 0); };
+    const bool any_cutouts = mesh.cutouts.any();
+    const auto is_cutout = [&](const TileEntry& entry) {
+        return any_cutouts && mesh.cutouts.has(entry.triangle);
+    };
     for (const TileEntry& entry : entries) {
+        if (is_cutout(entry)) continue;
         any_behind |= is_behind(entry);
         if (is_behind(entry) || !is_large(entry, half)) continue;
         any_large = true;
@@ -309,22 +315,23 @@ void raster_depths(const ViewMemory& view, std::size_t number, float x0, float y
     constexpr std::size_t kIndices = 24, kCorners = 12; // entries ahead
     for (std::size_t n = 0; n < entries.size(); ++n) {
         if (n + kIndices < entries.size())
-            hwy::Prefetch(&view.index[entries[n + kIndices].triangle]);
+            hwy::Prefetch(&mesh.index[entries[n + kIndices].triangle]);
         const TileEntry& entry = entries[n];
         // 1 / nearest_z is the greatest w that the triangle can store.
         if (is_behind(entry) || 1.0f / entry.nearest_z <= least) continue;
+        if (is_cutout(entry)) continue;
         if (any_large && is_large(entry, half)) continue;
         if (n + kCorners < entries.size()) {
-            const glm::uvec3& index = view.index[entries[n + kCorners].triangle];
-            for (int k = 0; k < 3; ++k) hwy::Prefetch(&view.corner[index[k]]);
+            const glm::uvec3& index = mesh.index[entries[n + kCorners].triangle];
+            for (int k = 0; k < 3; ++k) hwy::Prefetch(&mesh.corner[index[k]]);
         }
         raster(entry);
     }
     raster_batch<CornerSpace::flat>(tile, x0, y0);
     if (!any_behind) return;
     for (const TileEntry& entry : entries) {
-        if (!is_behind(entry)) continue;
-        gather<CornerSpace::eye>(view, entry, tile);
+        if (!is_behind(entry) || is_cutout(entry)) continue;
+        gather<CornerSpace::eye>(mesh, entry, tile);
         if (tile.count == DepthTile::kBatch) raster_batch<CornerSpace::eye>(tile, x0, y0);
     }
     raster_batch<CornerSpace::eye>(tile, x0, y0);
@@ -350,11 +357,10 @@ void resize(DepthTile& tile, int size)
     }
 }
 
-void raster_depth(const ViewMemory& view, int tile, DepthTile& out)
+void raster_depth(
+    const EyeMesh& mesh, const LatticeTile& rays, const TileBin<DepthFragment>& bin, DepthTile& out)
 {
-    const int tx = tile % view.tiles_x, ty = tile / view.tiles_x;
-    const LatticeTile rays = view.pencil.tile(tx * view.tile_size, ty * view.tile_size);
-    HWY_DYNAMIC_DISPATCH(raster_depths)(view, std::size_t(tile), rays.x0, rays.y0, out);
+    HWY_DYNAMIC_DISPATCH(raster_depths)(mesh, rays, bin, out);
 }
 
 } // namespace firsthit

@@ -1,14 +1,16 @@
 // raster_depth.h - rasterises the depth of one tile of a shadow map.
 //
 // Simpler than the item buffer's rasteriser, which has to find the triangle at each sample and
-// decides exactly where float is not sure. A map stores depth only: coverage may err by a millionth
-// of a texel (a ten-thousandth for triangles that became fragments), and if float cannot order two
-// depths, either may be stored.
+// decides exactly where float is uncertain. A map stores depth only: coverage may err by a
+// millionth of a texel (a ten-thousandth for triangles that became fragments), and if float cannot
+// order two depths, either may be stored.
 #pragma once
 
 #include "base/buffer.h"
 #include "base/tile_order.h"
-#include "visibility/bin/view_memory.h"
+#include "exact/pencil.h"
+#include "visibility/bin/bins.h"
+#include "visibility/bin/eye_mesh.h"
 
 #include <cstdint>
 
@@ -39,13 +41,18 @@ struct DepthTile {
 /// Prepares a worker's tile. Allocates only to grow.
 void resize(DepthTile& tile, int size);
 
-/// Writes to out.w, for tile number `tile` of the binned view, the greatest 1/t of the triangles
-/// that cover each sample. The view's corners must be projected (CornerSpace::flat). The same bits
-/// on every instruction set and for every order of triangles.
+/// Writes to out.w the greatest 1/t of the triangles that cover each sample of a tile. Leaves out
+/// cut-outs (see cutout_depth.h). The same bits on
+/// every instruction set and for every order of triangles.
 ///
+/// mesh     in CornerSpace::flat
+/// rays     of the tile's samples (TileLayout::rays)
+/// bin      the tile's triangles (depth_bin_of)
+/// out      resized to the tile's size
 /// limits   the depth of triangles seen at grazing angles may err by as much as their own extent in
 ///          depth; coverage errs as described above
 /// source   Williams 1978, "Casting Curved Shadows on Curved Surfaces"
-void raster_depth(const ViewMemory& view, int tile, DepthTile& out);
+void raster_depth(const EyeMesh& mesh, const LatticeTile& rays, const TileBin<DepthFragment>& bin,
+    DepthTile& out);
 
 } // namespace firsthit

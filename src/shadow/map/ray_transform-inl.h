@@ -1,4 +1,4 @@
-// ray_transform-inl.h - a register of hits straight from their depths to a light's space.
+// ray_transform-inl.h - computes a register of hits directly in a light's space from their depths.
 #if defined(FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_
 #undef FIRSTHIT_SHADOW_MAP_RAY_TRANSFORM_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// Where the rays (x, y), counted from the view axis, are at depth t.
-/// to  the tile's rays, transformed
+/// The points at depth t of the rays (x, y), which are counted from the view axis.
+/// to  the tile's rays, transformed to the space of the result
 FIRSTHIT_PURE real3 transform_points(const Rays& to, real x, real y, real t)
 {
     const auto axis = [&](int k) {
@@ -83,7 +83,7 @@ FIRSTHIT_PURE OnFaces on_faces(real3 p)
     return on;
 }
 
-/// Whether points have a shadow ray: not too far out, and not where the light is. No number: false.
+/// Whether points have a shadow ray: they are not too far away and not at the light. False for NaN.
 FIRSTHIT_PURE truth has_shadow_ray(real3 p, bool parallel)
 {
     const real far(1e30f), zero(0.0f);
@@ -92,7 +92,7 @@ FIRSTHIT_PURE truth has_shadow_ray(real3 p, bool parallel)
     return near & ((abs(p.x) > zero) | (abs(p.y) > zero) | (abs(p.z) > zero));
 }
 
-/// Whether points of a spot's frame are inside its cone.
+/// Whether points, in a spot's frame, are inside its cone.
 FIRSTHIT_PURE truth in_cone(real3 p, float tan2_cone)
 {
     const real u = p.x / p.z, v = p.y / p.z;

@@ -9,7 +9,7 @@
 #include "base/simd_real-inl.h"
 #include "hits/known_run.h"
 #include "shadow/map/light_frame.h"
-#include "visibility/raster/set_up-inl.h"
+#include "visibility/triangle_planes-inl.h"
 
 #include <algorithm>
 #include <bit>
@@ -46,7 +46,7 @@ HWY_INLINE void find_receiver_slopes(
     const Vector3<V> axis_x = set(rows[0]), axis_y = set(rows[1]), axis_z = set(rows[2]);
     const Vector3<V> from_light = set(eye);
     const double largest = std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
-    // How far above the plane a light that lies in it may seem to be, because normal and height
+    // A light that lies in the plane may seem to be this far above it, because normal and height
     // were rounded to float.
     const V share = hn::Set(d, 0x1p-24), most = hn::Set(d, 1e30);
     const V noise = hn::Set(d, light.parallel ? 0x1p-22 : 0x1p-22 * largest);

@@ -93,10 +93,21 @@ struct MapPoints {
     truth has_ray; // there is a shadow ray; else the point is lit
 };
 
-HWY_INLINE MapPoints map_points(
-    const MapView& map, float x, float y, int first, real t, real receiver_slope)
+/// A register of hits of a block.
+struct HitRegister {
+    float x, y; // the first sample of the block, in the tile
+    int first;  // the first sample of the register, in the block
+    real t;     // depths
+};
+
+HWY_INLINE real3 transform_hits(const Rays& to, const HitRegister& hits)
 {
-    const real3 p = transform_hits(map.to, x, y, first, t);
+    return transform_hits(to, hits.x, hits.y, hits.first, hits.t);
+}
+
+HWY_INLINE MapPoints map_points(const MapView& map, const HitRegister& hits, real receiver_slope)
+{
+    const real3 p = transform_hits(map.to, hits);
     MapPoints points{p.x, p.y, p.z, real(map.bias), abs(p.z) < real(1e30f)};
     if (!map.parallel) {
         const real inv_depth = real(1.0f) / p.z;
@@ -111,11 +122,10 @@ HWY_INLINE MapPoints map_points(
     return points;
 }
 
-/// The fraction of the texels around the points at depth t that show no triangle in front of them.
-HWY_INLINE real visible_fraction(
-    const MapView& map, float x, float y, int first, real t, real receiver_slope)
+/// The fraction of the texels around the hits that show no triangle in front of them.
+HWY_INLINE real visible_fraction(const MapView& map, const HitRegister& hits, real receiver_slope)
 {
-    const MapPoints points = map_points(map, x, y, first, t, receiver_slope);
+    const MapPoints points = map_points(map, hits, receiver_slope);
     const real column = points.column, row = points.row;
     const float last_column = float(map.width - 1), last_row = float(map.height - 1);
     const int quads_x = quads(map.width);
@@ -125,7 +135,7 @@ HWY_INLINE real visible_fraction(
     const auto visibility_at = [&](integer start, real at_column) {
         const integer at = start + column_offset(whole(clamped(at_column, last_column)));
         return mix(real(1.0f), real(0.0f),
-            is_shadowed(gather(map.depth, at), points.depth, points.epsilon));
+            is_shadowed_by_texel(gather(map.depth, at), points.depth, points.epsilon));
     };
     real visibility(0.0f);
     if (map.filter == 1) {
@@ -143,9 +153,8 @@ HWY_INLINE real visible_fraction(
     return mix(real(1.0f), visibility, points.has_ray);
 }
 
-/// Calls body(x, y, first, offset, t) for each register that has an item. (x, y): the first sample
-/// of its block; first: the register's first sample in the block; offset: the same in the tile; t:
-/// the depths.
+/// Calls body(HitRegister, offset) for each register that has an item. `offset` is the number of the
+/// register's first sample in the tile.
 template <class Body>
 HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
 {
@@ -157,7 +166,7 @@ HWY_INLINE void for_registers(const HitTile& hits, const Body& body)
         for (int first = 0; first < kBlockSamples; first += kLanes) {
             const int offset = block * kBlockSamples + first;
             const real t = load(hits.t + offset);
-            if (any(t < infinity)) body(x, y, first, offset, t);
+            if (any(t < infinity)) body(HitRegister{x, y, first, t}, offset);
         }
     }
 }
@@ -188,7 +197,7 @@ HWY_INLINE void find_texels(const MapView& map, const HitTile& hits, int block,
     for (int first = 0; first < kBlockSamples; first += kLanes) {
         const int offset = block * kBlockSamples + first;
         const MapPoints points =
-            map_points(map, x, y, first, load(hits.t + offset), load(visibility + offset));
+            map_points(map, {x, y, first, load(hits.t + offset)}, load(visibility + offset));
         const integer at = row_offset(whole(clamped(floor(points.row), last_row)), quads_x) +
                            column_offset(whole(clamped(floor(points.column), last_column)));
         hn::Store(at.lanes, IntegerTag(), texels.at + first);
@@ -202,8 +211,8 @@ HWY_INLINE void find_texels(const MapView& map, const HitTile& hits, int block,
         for (const int corner : {0, 3, 12, 15}) hwy::Prefetch(map.depth + texels.at[quad + corner]);
 }
 
-/// Compares the block's points with their texels, as is_shadowed does, and replaces the receiver
-/// slopes in `visibility` by visibility.
+/// Compares the block's points with their texels, as is_shadowed_by_texel does, and replaces the
+/// receiver slopes in `visibility` by visibility.
 HWY_INLINE void compare_texels(const MapView& map, const BlockTexels& texels, float* visibility)
 {
     if (texels.block < 0) return;
@@ -245,12 +254,12 @@ void sample_map_pipelined(const MapView& face, const HitTile& hits, float* visib
 /// Samples the map of the only face that the tile's hits lie on.
 void sample_map_of_face(const MapView& face, const HitTile& hits, float* visibility)
 {
-    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+    for_registers(hits, [&](const HitRegister& some, int offset) {
         const real receiver_slope = load(visibility + offset);
         real visible(0.0f);
         if (any(receiver_slope > visible))
-            visible = facing_visibility(
-                visible_fraction(face, x, y, first, t, receiver_slope), receiver_slope);
+            visible =
+                facing_visibility(visible_fraction(face, some, receiver_slope), receiver_slope);
         store(visible, visibility + offset);
     });
 }
@@ -261,8 +270,8 @@ bool is_dark(
     const MapView& map, const HitTile& hits, const HitDepths& depths, const float* visibility)
 {
     const HitHull hull = hit_hull(map.to, 0, 0, hits.size, depths);
-    const MapDepths under = depths_under(
-        hull, map.parallel, *map.farthest, map.width, map.height, 0.5f * float(map.filter) + 1.5f);
+    const MapDepths under = depths_under(hull, {*map.farthest, map.width, map.height, map.parallel},
+        0.5f * float(map.filter) + 1.5f);
     // The depths of the hits are rounded differently from those of the hull. Both errors are within
     // the rounding term of epsilon.
     const float before =
@@ -271,8 +280,8 @@ bool is_dark(
     if (!(under.farthest < before)) return false;
     if (map.bias >= 0) return under.farthest < before - map.bias;
     real steepest(0.0f);
-    for_registers(hits, [&](float, float, int, int offset, real t) {
-        const truth hit = t < real(std::numeric_limits<float>::infinity());
+    for_registers(hits, [&](const HitRegister& some, int offset) {
+        const truth hit = some.t < real(std::numeric_limits<float>::infinity());
         steepest = max(steepest, mix(real(0.0f), load(visibility + offset), hit));
     });
     const float at = map.parallel ? 1.0f : under.hits.greatest; // slope_bias of the greatest slope
@@ -286,25 +295,24 @@ void sample_maps_of_faces(
     const LightFrame& frame, const MapView (&face)[kFaces], const HitTile& hits, float* visibility)
 {
     const Rays to = transformed(hits.rays, frame.axes, frame.origin, glm::dvec3(0));
-    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
+    for_registers(hits, [&](const HitRegister& some, int offset) {
         const real receiver_slope = load(visibility + offset);
-        const OnFaces on = on_faces(transform_hits(to, x, y, first, t));
-        const truth hit = t < real(std::numeric_limits<float>::infinity());
+        const OnFaces on = on_faces(transform_hits(to, some));
+        const truth hit = some.t < real(std::numeric_limits<float>::infinity());
         real visible(1.0f);
         for (int k = 0; k < kFaces; ++k) {
             const truth here = hit & on.of(k);
             if (face[k].width > 0 && any(here))
-                visible =
-                    mix(visible, visible_fraction(face[k], x, y, first, t, receiver_slope), here);
+                visible = mix(visible, visible_fraction(face[k], some, receiver_slope), here);
         }
         store(facing_visibility(visible, receiver_slope), visibility + offset);
     });
 }
 
 /// The face that all hits of the tile certainly lie on, or -1. A face's pyramid is convex, so the
-/// tile's convex hull (see hit_hull-inl.h) lies on a face if its corners do. Corners that are within
-/// a hit's rounding of two faces count as lying on none, so that every hit is sampled on the face
-/// that sample_maps_of_faces would choose.
+/// tile's convex hull (see hit_hull-inl.h) lies on a face if its corners do. Corners that are
+/// within a hit's rounding of two faces count as lying on none, so that every hit is sampled on the
+/// face that sample_maps_of_faces would choose.
 int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& depths)
 {
     const double depth[2] = {double(depths.nearest), double(depths.farthest)};
@@ -335,8 +343,8 @@ void clear_outside_cone(const LightFrame& frame, const HitTile& hits, float* vis
 {
     const Rays to = transformed(hits.rays, frame.axes, frame.origin, glm::dvec3(0));
     const float tan2_cone = float(frame.tan2_cone);
-    for_registers(hits, [&](float x, float y, int first, int offset, real t) {
-        const truth inside = in_cone(transform_hits(to, x, y, first, t), tan2_cone);
+    for_registers(hits, [&](const HitRegister& some, int offset) {
+        const truth inside = in_cone(transform_hits(to, some), tan2_cone);
         store(mix(real(0.0f), load(visibility + offset), inside), visibility + offset);
     });
 }

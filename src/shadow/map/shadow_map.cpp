@@ -1,9 +1,10 @@
 // shadow_map.cpp - shadow maps of all lights, made by the rasteriser and kept from frame to frame.
 #include "shadow/map/shadow_map.h"
 
+#include "shadow/map/cutout_depth.h"
 #include "shadow/map/map_pencil.h"
 #include "shadow/map/merge_faces.h"
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
 #include "visibility/bin/project.h"
 
 #include <algorithm>
@@ -27,17 +28,15 @@ void raster_rectangle(const World& world, const TexelRectangle& rectangle, Shado
     const int longest = std::max(rectangle.width, rectangle.height);
     bool fits = longest <= kMaxPencil;
     if (fits) {
-        view.tile_size = kTile;
-        view.pencil.width = rectangle.width;
-        view.pencil.height = rectangle.height;
-        view.pencil.x0 = rectangle.x + 0.5 - 0.5 * map.width();
-        view.pencil.y0 = rectangle.y + 0.5 - 0.5 * map.height();
-        view.tiles_x = (rectangle.width + kTile - 1) / kTile;
-        view.tiles_y = (rectangle.height + kTile - 1) / kTile;
-        view.tile_of.resize(std::size_t(longest));
-        for (int k = 0; k < longest; ++k) view.tile_of[std::size_t(k)] = std::uint8_t(k / kTile);
-        project_vertices(world.position, view, tasks, CornerSpace::flat);
-        fits = bin_triangles(world.scene->index, view, tasks, TinyTriangles::depths);
+        Pencil pencil = view.pencil;
+        pencil.width = rectangle.width;
+        pencil.height = rectangle.height;
+        pencil.x0 = rectangle.x + 0.5 - 0.5 * map.width();
+        pencil.y0 = rectangle.y + 0.5 - 0.5 * map.height();
+        lay_out(pencil, kTile, view);
+        take_triangles(*world.scene, view, kShadowOpacity);
+        project_vertices(world.position, pencil, view, tasks, CornerSpace::flat);
+        fits = bin_triangles(view, view, view, tasks, TinyTriangles::depths);
     }
     if (!fits) {
         const bool wide = rectangle.width >= rectangle.height;
@@ -53,8 +52,11 @@ void raster_rectangle(const World& world, const TexelRectangle& rectangle, Shado
     }
     tasks.for_each(std::size_t(view.tiles()), [&](std::size_t tile, std::size_t worker) {
         DepthTile& depth = maps.workers[worker]->tile;
-        raster_depth(view, int(tile), depth);
-        const int x = int(tile) % view.tiles_x * kTile, y = int(tile) / view.tiles_x * kTile;
+        raster_depth(view, view.rays(int(tile)), depth_bin_of(view, tile), depth);
+        if (view.cutouts.any())
+            raster_cutout_depth(
+                view, view.pencil.parallel, view.rays(int(tile)), entries_of(view, tile), depth);
+        const int x = view.first_x(int(tile)), y = view.first_y(int(tile));
         store_depth(depth, view.pencil,
             {.depth = &map.depth[quad_offset(rectangle.x + x, rectangle.y + y, map.width())],
                 .quads_x = quads(map.width()),
@@ -66,9 +68,16 @@ void raster_rectangle(const World& world, const TexelRectangle& rectangle, Shado
     });
 }
 
+/// Whether the world has cut-outs.
+bool find_cutouts(const World& world, ShadowMaps& maps)
+{
+    maps.view.cutouts.find(*world.scene, kShadowOpacity);
+    return maps.view.cutouts.any();
+}
+
 void make_map(const World& world, int face, ShadowMaps& maps, ShadowMap& map, Tasks& tasks)
 {
-    const Pencil pencil = place_map(world, face, map);
+    const Pencil pencil = set_map_transform(world, face, map);
     const std::size_t texels =
         std::size_t(quads(map.width())) * std::size_t(quads(map.height())) * kQuadTexels;
     map.depth.resize(texels, texels / 2); // spare: the bounds of hits change from frame to frame
@@ -136,6 +145,10 @@ void plan_maps(const World& world, const ShadowOptions& options, std::span<Light
         if (source.fit.width > 0 && source == map_of(maps, k).source) remake_all = false;
     });
     update_copy(world, remake_all, maps.geometry, tasks);
+    // Where cut-outs are there follows from materials and textures, which are not compared.
+    const bool cutouts = find_cutouts(world, maps);
+    if (cutouts || maps.had_cutouts) ++maps.geometry.version;
+    maps.had_cutouts = cutouts;
     for_maps([&](const MapNumber& k, const MapSource& source) {
         maps.texels += std::uint64_t(source.fit.width) * std::uint64_t(source.fit.height);
         ShadowMap& map = map_of(maps, k);

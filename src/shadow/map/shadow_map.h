@@ -78,6 +78,7 @@ struct ShadowMaps {
     std::vector<LightBounds> bounds; // (lights) bounds of the hits of all workers
     std::vector<MapNumber> changed;  // maps that have to be made
     bool complete = false;           // every map agrees with its source
+    bool had_cutouts = false;        // in the last frame
 
     GeometryCopy geometry;
     ViewMemory view;

@@ -36,10 +36,13 @@ struct Depths {
     }
 };
 
-/// Writes the quads of one cell and returns their farthest depth.
-float store_cell(const DepthTile& tile, const Depths& depths, const MapWindow& window, int x0,
-    int y0, int x1, int y1)
+/// Writes the quads of the cell whose first texel is (x0, y0) of the window, and returns their
+/// farthest depth.
+float store_cell(
+    const DepthTile& tile, const Depths& depths, const MapWindow& window, int x0, int y0)
 {
+    const int x1 = std::min(x0 + kCellSide, window.width);
+    const int y1 = std::min(y0 + kCellSide, window.height);
     const Depths::D d;
     auto farthest = hn::Neg(depths.nothing);
     for (int y = y0; y < y1; y += 4) {
@@ -62,8 +65,7 @@ void store(const DepthTile& tile, const Pencil& pencil, const MapWindow& window)
     for (int y = 0; y < window.height; y += kCellSide)
         for (int x = 0; x < window.width; x += kCellSide)
             window.farthest[y / kCellSide * window.cells_x + x / kCellSide] =
-                store_cell(tile, depths, window, x, y, std::min(x + kCellSide, window.width),
-                    std::min(y + kCellSide, window.height));
+                store_cell(tile, depths, window, x, y);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
-// careful_box.cpp - the samples of a triangle that reaches behind the eye.
+// careful_box.cpp - the box of samples of a triangle that reaches behind the eye.
 //
-// Only what has z > 0 is seen. Its corners in front project as usual. Where an edge goes from a
-// corner a in front to a corner b behind (z <= 0), its projection runs from a's to infinity:
-// x/z along a + s (b - a) has the derivative's sign of b.x a.z - a.x b.z, which does not change. So
-// the box reaches to the picture's edge on that side, and on no other. Both products are exact in
-// double, hence so is the comparison.
+// Rays only hit what has z > 0. Corners in front of the eye project as usual. An edge from a corner
+// a in front to a corner b behind (z <= 0) projects to a half line from a's projection to infinity:
+// the derivative of x/z along a + s (b - a) has the sign of b.x a.z - a.x b.z, which does not
+// depend on s. So the box reaches to the picture's border on that side only. Both products are
+// exact in double, hence the comparison is exact too.
 #include "visibility/bin/careful_box.h"
 
 #include <algorithm>
@@ -35,12 +35,12 @@ Interval project_front(const Corners& corners, int axis)
 
 namespace {
 
-/// First and last of `count` samples inside the interval, whose directions start at `origin`.
-/// False where there is none.
+/// Finds the first and the last of `count` samples that lie inside the interval. Sample 0 is at
+/// `origin`. Returns false if there is no such sample.
 bool samples_inside(
     const Interval& seen, double origin, int count, std::int16_t& first, std::int16_t& last)
 {
-    constexpr double kMargin = 0x1p-12; // as in project.cpp
+    constexpr double kMargin = 0x1p-12; // the margin of project.cpp
     const double low = std::ceil(seen.low - origin - kMargin);
     const double high = std::floor(seen.high - origin + kMargin);
     if (!(low <= high) || low > count - 1 || high < 0) return false;

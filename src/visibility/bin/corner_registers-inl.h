@@ -1,4 +1,4 @@
-// corner_registers-inl.h - a corner of several triangles in registers, one triangle a lane.
+// corner_registers-inl.h - loads a corner of several triangles into registers, one triangle a lane.
 #if defined(FIRSTHIT_CORNER_REGISTERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_CORNER_REGISTERS_INL_H
 #undef FIRSTHIT_CORNER_REGISTERS_INL_H
@@ -20,8 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// The corners of one triangle a lane: four loads of 16 bytes side by side are transposed in two steps, of
-/// which the second waits until it is known what is needed.
+/// One corner of the triangle of each lane. See below for other targets.
 template <class D>
 class CornerRegisters {
   public:
@@ -44,12 +43,16 @@ class CornerRegisters {
 
 #else
 
+/// One corner of the triangle of each lane. The four floats of a corner are loaded at once, and
+/// transposed in two steps. The constructor does the first step; x(), y(), z() and samples() do the
+/// second one for what they return.
 template <class D>
 class CornerRegisters {
   public:
     using V = hn::Vec<D>;
 
-    /// index  of lane k: index[3 k]
+    /// corner  (V) see EyeMesh::corner
+    /// index   the vertex of lane k is index[3 k]
     HWY_INLINE CornerRegisters(
         D d, const glm::vec4* HWY_RESTRICT corner, const std::uint32_t* HWY_RESTRICT index)
         : d_(d)
@@ -82,7 +85,7 @@ class CornerRegisters {
             d_, hn::InterleaveUpper(pairs, hn::BitCast(pairs, p), hn::BitCast(pairs, q)));
     }
 
-    /// The corners of lanes 0, 4, 8, 12 one after the other.
+    /// A register that holds the corners of lanes 0, 4, 8 and 12, or of the first ones of these.
     template <class E>
     static HWY_INLINE hn::Vec<E> join(
         E to, const glm::vec4* HWY_RESTRICT corner, const std::uint32_t* HWY_RESTRICT index)

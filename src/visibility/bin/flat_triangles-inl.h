@@ -1,14 +1,15 @@
-// flat_triangles-inl.h - tiny triangles of a shadow map: one a lane, from flat corners to texels.
+// flat_triangles-inl.h - finds the texels of a shadow map that tiny triangles cover, one triangle a
+// lane, from flat corners.
 //
-// Corners are (x/z, y/z, 1/z) and are moved to the box's first texel. The edge from b to c over the
-// texel i to the right and j down is
+// Flat corners are (x/z, y/z, 1/z). They are moved so that the box's first texel is the origin.
+// Then the edge from b to c at the texel that is i columns to the right and j rows down is
 //
 //     e = c + i gx + j gy,   c = b.x c.y - b.y c.x,  gx = b.y - c.y,  gy = c.x - b.x
 //
-// and 1/t is affine. Let u = 2^-24, mx and my the largest |x| and |y|, n the largest i or j: |computed e
-// - e| <= 12 u R, R = mx my + n (mx + my). A texel is missed for certain where, with the triangle's
-// sense, one edge is beyond E = 16 u R on the outside. The sense is certain where the area is
-// beyond 8 E; other triangles, seen nearly edge-on, stay open.
+// and 1/t is affine. Let u = 2^-24, mx and my the largest |x| and |y|, n the largest i or j. Then
+// |computed e - e| <= 12 u R, where R = mx my + n (mx + my). A texel is certainly missed if, for
+// the triangle's orientation, one edge is beyond E = 16 u R on the outside. The orientation is
+// certain if the area is beyond 8 E; other triangles, which are seen nearly edge-on, stay open.
 #if defined(FIRSTHIT_FLAT_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_FLAT_TRIANGLES_INL_H
 #undef FIRSTHIT_FLAT_TRIANGLES_INL_H
@@ -27,20 +28,23 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// As cover_tiny. What is not certainly missed is covered, and its depth lies between those of the
-/// corners. Writes no triangles: a map does not ask for them.
+/// Does what cover_tiny does, for the texels of a shadow map: a texel is covered unless it is
+/// certainly missed, and its depth lies between those of the corners. Does not write
+/// found.triangle, which maps have no use for.
 template <int kSide, class D>
-HWY_INLINE std::uint32_t cover_flat(D d, TinyList& list, int i, int count, float x0, float y0,
+HWY_INLINE std::uint32_t cover_flat(D d, const ListRegister& triangles, const LatticeTile& rays,
     const FragmentTarget& found, std::uint32_t at)
 {
+    TinyList& list = triangles.list;
+    const int i = triangles.first;
     const hn::RebindToSigned<D> words;
     const hn::RebindToUnsigned<D> du;
     using V = hn::Vec<D>;
     const auto set = [&](float v) { return hn::Set(d, v); };
     const auto first = hn::Load(words, list.first + i), steps = hn::Load(words, list.steps + i);
     const auto low = [&](auto v) { return hn::And(v, hn::Set(words, 0xFFFF)); };
-    const V sx = hn::Add(hn::ConvertTo(d, low(first)), set(x0));
-    const V sy = hn::Add(hn::ConvertTo(d, hn::ShiftRight<16>(first)), set(y0));
+    const V sx = hn::Add(hn::ConvertTo(d, low(first)), set(rays.x0));
+    const V sy = hn::Add(hn::ConvertTo(d, hn::ShiftRight<16>(first)), set(rays.y0));
     V x[3], y[3], w[3];
     for (int k = 0; k < 3; ++k) {
         x[k] = hn::Sub(hn::Load(d, list.corner[3 * k] + i), sx);
@@ -60,7 +64,7 @@ HWY_INLINE std::uint32_t cover_flat(D d, TinyList& list, int i, int count, float
     const V reach = hn::Add(hn::Mul(mx, my), across);
     const V error = hn::Add(hn::Mul(reach, set(0x1p-20f)), set(0x1p-90f));
 
-    // The plane of 1/t, from the first corner.
+    // Find the plane of 1/t, starting at the first corner.
     const V area = hn::Add(hn::Add(c[0], c[1]), c[2]);
     const auto edge_on = hn::Le(hn::Abs(area), hn::Mul(error, set(8.0f)));
     const V inverse_area = hn::Div(set(1.0f), hn::IfThenElse(edge_on, set(1.0f), area));
@@ -73,7 +77,7 @@ HWY_INLINE std::uint32_t cover_flat(D d, TinyList& list, int i, int count, float
     const V least_w = hn::Min(w[0], hn::Min(w[1], w[2]));
     const V most_w = hn::Max(w[0], hn::Max(w[1], w[2]));
 
-    // Inside is where edges are positive, or not below zero by more than their error.
+    // Make edges positive inside, and add the bound of their error.
     V row[3];
     for (int k = 0; k < 3; ++k) {
         const auto inwards = [&](V v) { return hn::Xor(v, hn::And(area, set(-0.0f))); };
@@ -81,8 +85,8 @@ HWY_INLINE std::uint32_t cover_flat(D d, TinyList& list, int i, int count, float
         gx[k] = inwards(gx[k]);
         gy[k] = inwards(gy[k]);
     }
-    // The sense of what is edge-on is not known.
-    const auto meant = hn::AndNot(edge_on, hn::FirstN(d, std::size_t(count)));
+    // Triangles that are edge-on have no known orientation, and stay open.
+    const auto meant = hn::AndNot(edge_on, hn::FirstN(d, std::size_t(triangles.count)));
     hn::Mask<D> has_column[kSide];
     for (int k = 0; k < kSide; ++k)
         has_column[k] = hn::RebindMask(d, hn::Gt(low(steps), hn::Set(words, k - 1)));

@@ -1,4 +1,4 @@
-// project.cpp - vertices into eye space, once each.
+// project.cpp - transforms vertices into eye space, each of them once.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visibility/bin/project.cpp"
 #include "base/simd.h"
@@ -16,11 +16,13 @@ using Wide = hn::ScalableTag<double>;
 using Narrow = hn::Rebind<float, Wide>;
 using Whole = hn::Rebind<std::int32_t, Wide>;
 
-/// Boxes are this much wider than the double projection: 2^18 times its error at 16384 samples.
+/// Boxes of triangles are wider than the projection of their corners by this margin, in samples. It
+/// is 2^18 times the error of a projection in double, in a picture of 16384 samples.
 constexpr double kMargin = 0x1p-12;
 
-/// Where s stands among `count` samples: the first at or after it plus the last at or before it, plus
-/// one, both clamped to what they can be. See VertexSamples.
+/// The coordinate of VertexSamples for a projection s among `count` samples: the number of the
+/// first sample at or after s, plus one more than the number of the last sample at or before s,
+/// both clamped to [0, count].
 template <class V>
 V place_among(V s, int count)
 {
@@ -31,10 +33,11 @@ V place_among(V s, int count)
     return hn::Add(after, hn::Min(hn::Max(hn::Add(last, one), hn::Zero(d)), all));
 }
 
-/// Beyond, flat corners would leave the range of floats: they take the careful way.
+/// Flat corners with a greater |x/z| or |y/z|, or a smaller z, might leave the range of floats;
+/// they are stored in eye space with kBehind.
 constexpr float kFlattest = 0x1p40f, kNearestFlat = 0x1p-60f;
 
-/// One register of vertices.
+/// Transforms one register of vertices.
 template <CornerSpace kSpace>
 void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RESTRICT corner)
 {
@@ -59,7 +62,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     }
     const auto x = hn::DemoteTo(f, eye_x), y = hn::DemoteTo(f, eye_y), z = hn::DemoteTo(f, eye_z);
 
-    // Where the vertex stands among the samples. NaN and infinity take the careful way.
+    // Find VertexSamples. A vertex with a NaN or infinite coordinate gets kBehind.
     const auto limit = hn::Set(f, kFarthest);
     const auto finite = hn::And(
         hn::Lt(hn::Abs(x), limit), hn::And(hn::Lt(hn::Abs(y), limit), hn::Lt(hn::Abs(z), limit)));
@@ -91,29 +94,31 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     }
 }
 
+/// The vertices are those of the mesh from number `first` on.
 template <CornerSpace kSpace>
-void project_all(const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
+void project_all(
+    std::span<const glm::vec3> position, std::size_t first, const Pencil& pencil, EyeMesh& mesh)
 {
-    const std::size_t lanes = hn::Lanes(Wide());
-    for (std::size_t v = first; v < last; v += lanes) {
-        float* corner = &memory.corner[v].x;
-        if (v + lanes <= last) {
-            project<kSpace>(&position[v].x, memory.pencil, corner);
+    const std::size_t lanes = hn::Lanes(Wide()), count = position.size();
+    for (std::size_t v = 0; v < count; v += lanes) {
+        float* corner = &mesh.corner[first + v].x;
+        if (v + lanes <= count) {
+            project<kSpace>(&position[v].x, pencil, corner);
         } else {
             float rest[3 * 64] = {};
-            std::copy_n(&position[v].x, 3 * (last - v), rest);
-            project<kSpace>(rest, memory.pencil, corner); // the buffers have room for a register
+            std::copy_n(&position[v].x, 3 * (count - v), rest);
+            project<kSpace>(rest, pencil, corner); // the padding has room for a whole register
         }
     }
 }
 
 void project_range(
-    const glm::vec3* position, std::size_t first, std::size_t last, ViewMemory& memory)
+    std::span<const glm::vec3> position, std::size_t first, const Pencil& pencil, EyeMesh& mesh)
 {
-    if (memory.corner_space == CornerSpace::eye)
-        project_all<CornerSpace::eye>(position, first, last, memory);
+    if (mesh.corner_space == CornerSpace::eye)
+        project_all<CornerSpace::eye>(position, first, pencil, mesh);
     else
-        project_all<CornerSpace::flat>(position, first, last, memory);
+        project_all<CornerSpace::flat>(position, first, pencil, mesh);
 }
 
 } // namespace
@@ -126,16 +131,17 @@ namespace firsthit {
 
 HWY_EXPORT(project_range);
 
-void project_vertices(
-    std::span<const glm::vec3> position, ViewMemory& memory, Tasks& tasks, CornerSpace space)
+void project_vertices(std::span<const glm::vec3> position, const Pencil& pencil, EyeMesh& mesh,
+    Tasks& tasks, CornerSpace space)
 {
     constexpr std::size_t kPadding = 64;
-    // Ranges of whole registers, so that no two threads write the same register's padding.
+    // Ranges are whole registers, so that no two threads write to the same one.
     constexpr std::size_t kGrain = 4096;
-    memory.corner_space = space;
-    memory.corner.resize(position.size() + kPadding);
+    mesh.corner_space = space;
+    mesh.corner.resize(position.size() + kPadding);
     tasks.for_ranges(position.size(), kGrain, [&](std::size_t first, std::size_t last) {
-        HWY_DYNAMIC_DISPATCH(project_range)(position.data(), first, last, memory);
+        HWY_DYNAMIC_DISPATCH(project_range)
+        (position.subspan(first, last - first), first, pencil, mesh);
     });
 }
 

@@ -1,15 +1,23 @@
-// project.h - vertices into eye space, once each.
+// project.h - transforms vertices into eye space.
 #pragma once
 
 #include "base/tasks.h"
-#include "visibility/bin/view_memory.h"
+#include "exact/pencil.h"
+#include "visibility/bin/eye_mesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
 
 namespace firsthit {
 
-/// Fills memory.corner from world positions and memory.pencil, and says in memory.corner_space what
-/// they are. Eye space is rounded once from double, and so is what is flat from eye space: equal
-/// positions get equal bits, on every instruction set.
-void project_vertices(std::span<const glm::vec3> position, ViewMemory& memory, Tasks& tasks,
-    CornerSpace space = CornerSpace::eye);
+/// Fills mesh.corner with the vertices in the pencil's eye space, and sets mesh.corner_space. Each
+/// coordinate is computed in double and rounded once; flat coordinates are computed from the
+/// rounded ones in eye space and rounded again. Equal positions get equal bits, on every
+/// instruction set.
+///
+/// position  (V) in world space
+void project_vertices(std::span<const glm::vec3> position, const Pencil& pencil, EyeMesh& mesh,
+    Tasks& tasks, CornerSpace space = CornerSpace::eye);
 
 } // namespace firsthit

@@ -1,4 +1,4 @@
-// tile_layout.cpp - the samples of a pencil, cut into tiles.
+// tile_layout.cpp - the samples of a pencil, divided into tiles.
 #include "visibility/bin/tile_layout.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@ namespace firsthit {
 void lay_out(const Pencil& pencil, int tile_size, TileLayout& layout)
 {
     layout.pencil = pencil;
+    layout.wanted = nullptr;
     layout.tile_size = tile_size;
     layout.tiles_x = (pencil.width + tile_size - 1) / tile_size;
     layout.tiles_y = (pencil.height + tile_size - 1) / tile_size;

@@ -1,24 +1,25 @@
-// tiny_triangles-inl.h - triangles whose box has few samples: one a lane, from corners to covered
-// samples without a word about tiles.
+// tiny_triangles-inl.h - finds the samples that tiny triangles cover, one triangle a lane. A tiny
+// triangle is one whose box has few samples. Tiles play no part here.
 //
-// Corners are moved along z to the first sample's ray: a = (x - X z, y - Y z), exact but for one
-// rounding, since X and Y have few bits. There d = (0, 0, 1), and the edge from b to c over the
-// sample i to the right and j down is
+// Corners are moved along z so that the ray of the box's first sample (X, Y, 1) becomes the z axis:
+// a = (x - X z, y - Y z) is exact but for one rounding, since X and Y have few bits. Then the edge
+// from b to c at the sample that is i columns to the right and j rows down is
 //
 //     e = c + i gx + j gy,   c = b.x c.y - b.y c.x,  gx = b.y c.z - b.z c.y,  gy = b.z c.x - b.x c.z
 //
 // Let u = 2^-24, mx and my the largest |x| and |y|, Z the largest z, n the largest i or j. Products
-// have an error of 3 u, their difference of 4 u, i gx one more, the two sums 2 u: |computed e - e| <=
-// 12 u R, R = mx my + n Z (mx + my). Where all three are beyond 16 u R = E on one side, the sample
-// is hit, since the volume is the sum of the edges times the opposite corners' z; where one is beyond
-// E and one beyond -E, it is missed.
+// have an error of 3 u, their difference of 4 u, i gx one more, the two sums 2 u. So |computed e -
+// e| <= 12 u R, where R = mx my + n Z (mx + my). If all three edges are beyond E = 16 u R on one
+// side, the ray hits, since the volume is the sum of the edges times the opposite corners' z. If
+// one edge is beyond E and another one beyond -E, it misses.
 //
-// With S the sum of edges, 1/t = S / sum(e z): the weights e / S are wrong by at most 4.5 E / |S|
-// together, and the depth by that times the triangle's extent in z; six more roundings. All is below
-// kDepthError = 24 u where 5 R (Z - least z) <= (|S| - 3 E) least z.
+// Let S be the sum of the edges; 1/t = S / sum(e z). The weights e / S have an error of at most
+// 4.5 E / |S| together, and the depth has an error of that times the triangle's extent in z, and six
+// more roundings. All together is below kDepthError = 24 u if 5 R (Z - least z) <= (|S| - 3 E)
+// least z.
 //
-// Depths within [2^-30, 2^30] keep products far from overflow; what underflow or flushing takes
-// away is less than 2^-90.
+// Depths in [2^-30, 2^30] keep products far from overflow. Underflow, and flushing it to 0, change
+// a result by less than 2^-90.
 #if defined(FIRSTHIT_TINY_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_TINY_TRIANGLES_INL_H
 #undef FIRSTHIT_TINY_TRIANGLES_INL_H
@@ -28,6 +29,7 @@
 
 #include <hwy/highway.h>
 
+#include "exact/pencil.h"
 #include "visibility/bin/tiny_list-inl.h"
 
 #include <cstdint>
@@ -38,14 +40,14 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where covered samples are written: a register at a time, so beyond the last.
+/// Where covered samples are written. Whole registers are written, also beyond the last sample.
 struct FragmentTarget {
-    std::uint32_t* place; // x | y << 16
+    std::uint32_t* place; // the sample, x | y << 16
     std::uint32_t* triangle;
-    float* w;
+    float* w; // 1/t
 };
 
-/// Sums may be fused with products, since the bound is all that counts.
+/// Products and sums may be fused, since results are only compared with error bounds.
 #if HWY_NATIVE_FMA
 constexpr bool kFuses = true;
 using TinyItems = hn::CappedTag<float, 16>;
@@ -54,7 +56,7 @@ constexpr bool kFuses = false;
 using TinyItems = hn::Rebind<float, hn::CappedTag<double, 8>>;
 #endif
 
-/// x - s z, s with at most 24 bits, rounded once (or from double).
+/// x - s z, rounded once, or from double. s is a float.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V shear(D, V x, V s, V z)
 {
@@ -78,16 +80,19 @@ HWY_INLINE V determinant(V p, V q, V r, V s)
         return hn::Sub(hn::Mul(p, q), hn::Mul(r, s));
 }
 
-/// One register of the list, starting with number i, of which `count` lanes are meant. Appends the
-/// covered samples to `found`, and says which triangles are open.
+/// Finds the samples that the triangles of a register cover, and appends them to `found`. Sets
+/// `open` of the triangles for which this is not certain; nothing is appended for those.
 ///
-/// kSide  of the boxes, at most
-/// x0, y0  direction of the pencil's first sample
-/// returns  the number of fragments found, with those before
+/// kSide    samples on a side of the boxes, at most
+/// rays     of the pencil
+/// at       number of the fragments that `found` holds already
+/// returns  their number afterwards
 template <int kSide, class D>
-HWY_INLINE std::uint32_t cover_tiny(D d, TinyList& list, int i, int count, float x0, float y0,
+HWY_INLINE std::uint32_t cover_tiny(D d, const ListRegister& triangles, const LatticeTile& rays,
     const FragmentTarget& found, std::uint32_t at)
 {
+    TinyList& list = triangles.list;
+    const int i = triangles.first;
     constexpr int kSamples = kSide * kSide;
     const hn::RebindToSigned<D> w;
     const hn::RebindToUnsigned<D> du;
@@ -96,8 +101,8 @@ HWY_INLINE std::uint32_t cover_tiny(D d, TinyList& list, int i, int count, float
     V x[3], y[3], z[3];
     const auto first = hn::Load(w, list.first + i), steps = hn::Load(w, list.steps + i);
     const auto low = [&](auto v) { return hn::And(v, hn::Set(w, 0xFFFF)); };
-    const V sx = hn::Add(hn::ConvertTo(d, low(first)), set(x0));
-    const V sy = hn::Add(hn::ConvertTo(d, hn::ShiftRight<16>(first)), set(y0));
+    const V sx = hn::Add(hn::ConvertTo(d, low(first)), set(rays.x0));
+    const V sy = hn::Add(hn::ConvertTo(d, hn::ShiftRight<16>(first)), set(rays.y0));
     for (int k = 0; k < 3; ++k) {
         z[k] = hn::Load(d, list.corner[3 * k + 2] + i);
         x[k] = shear(d, hn::Load(d, list.corner[3 * k] + i), sx, z[k]);
@@ -122,7 +127,7 @@ HWY_INLINE std::uint32_t cover_tiny(D d, TinyList& list, int i, int count, float
     const V depth_error = hn::Mul(hn::Mul(reach, set(5.0f)), hn::Sub(farthest, nearest));
 
     auto open = hn::Or(hn::Lt(nearest, set(0x1p-30f)), hn::Gt(farthest, set(0x1p30f)));
-    const auto meant = hn::FirstN(d, std::size_t(count));
+    const auto meant = hn::FirstN(d, std::size_t(triangles.count));
     hn::Mask<D> has_column[kSide], has_row[kSide];
     for (int k = 0; k < kSide; ++k) {
         const auto before = hn::Set(w, k - 1);

@@ -1,4 +1,5 @@
-// raster_kernels-inl.h - kernels that rasterise a triangle of the batch over the samples of a tile.
+// raster_kernels-inl.h - the kernels that rasterise a triangle of the batch over the samples of a
+// tile.
 #if defined(FIRSTHIT_RASTER_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_RASTER_KERNELS_INL_H
 #undef FIRSTHIT_RASTER_KERNELS_INL_H
@@ -18,12 +19,15 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// A rectangle of a tile's samples; x1 and y1 are included.
+/// A rectangle of a tile's samples; x1 and y1 are inside.
 struct Box {
     int x0, y0, x1, y1;
 };
 
-/// 1/t of a register's samples: computed in float, or if kWide in double and rounded once.
+/// 1/t of triangle i at the samples of a register: computed in float, or if kWide in double and
+/// rounded once.
+///
+/// x, y  offsets from the batch's (origin_x, origin_y)
 template <bool kWide, class D>
 HWY_INLINE hn::Vec<D> inverse_depth(D d, const Batch& batch, int i, hn::Vec<D> x, hn::Vec<D> y)
 {
@@ -38,11 +42,16 @@ HWY_INLINE hn::Vec<D> inverse_depth(D d, const Batch& batch, int i, hn::Vec<D> x
     }
 }
 
-/// Rasterises triangle i over a box. kCovered: every sample of the box's registers is inside.
+/// Rasterises triangle i over a box.
+///
+/// kCovered  the triangle covers every sample of the box's registers
+/// kWide     depth is computed in double
 template <bool kCovered, bool kWide, class D>
-HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, const Box& box)
+HWY_INLINE void raster_box(D d, const TileInWork& tile, int i, const Box& box)
 {
-    const Batch& batch = tile.batch;
+    TileItems& items = tile.items;
+    RasterScratch& scratch = tile.scratch;
+    const Batch& batch = scratch.batch;
     const hn::RebindToUnsigned<D> du;
     const LaneOffsets<D> lane(d);
     const auto gx0 = hn::Set(d, batch.gx[0][i]), gx1 = hn::Set(d, batch.gx[1][i]),
@@ -69,9 +78,9 @@ HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, c
                     if (hn::AllFalse(d, maybe)) continue;
                 inside = hn::Gt(least, inside_from);
             }
-            const int offset = tile.column_offset[x] + tile.row_offset[y];
-            float* w_at = tile.w.data() + offset;
-            std::uint32_t* item_at = tile.item.data() + offset;
+            const int offset = scratch.column_offset[x] + scratch.row_offset[y];
+            float* w_at = scratch.w.data() + offset;
+            std::uint32_t* item_at = items.item.data() + offset;
             const auto w = inverse_depth<kWide>(d, batch, i, px, py);
             const auto stored = hn::Load(d, w_at);
             const auto ahead = hn::Sub(w, stored);
@@ -84,33 +93,68 @@ HWY_INLINE void raster_box(D d, const ViewMemory& view, ItemTile& tile, int i, c
             if (!hn::AllFalse(d, open)) [[unlikely]] {
                 alignas(64) float w_lanes[16];
                 hn::Store(w, d, w_lanes);
-                decide_lanes_exactly(view, tile, i, {x, y, offset, columns(d)}, bits(d, open),
-                    bits(d, inside), w_lanes);
+                decide_lanes_exactly(
+                    tile, i, {x, y, offset, columns(d), bits(d, open), bits(d, inside), w_lanes});
             }
         }
     }
 }
 
-/// Rasterises triangle i over all samples of a block. Its extent (set_up-inl.h) has to include
-/// whole blocks. Like raster_box, but without branches that depend on the box or on single
-/// registers.
+/// Rasterises triangle i, a cut-out, over a box: as raster_box, but each sample that it may hit in
+/// front of what is stored is decided on its own, with its opacity.
+template <bool kWide, class D>
+HWY_INLINE void raster_cutout(D d, const TileInWork& tile, int i, const Box& box)
+{
+    const RasterScratch& scratch = tile.scratch;
+    const Batch& batch = scratch.batch;
+    const LaneOffsets<D> lane(d);
+    const auto inside_from = hn::Set(d, kEdgeError), maybe_from = hn::Set(d, -kEdgeError);
+    const int first_x = box.x0 & -columns(d), first_y = box.y0 & -rows(d);
+    for (int y = first_y; y <= box.y1; y += rows(d)) {
+        const auto py = hn::Add(hn::Set(d, float(y - batch.origin_y[i])), lane.y);
+        for (int x = first_x; x <= box.x1; x += columns(d)) {
+            const auto px = hn::Add(hn::Set(d, float(x - batch.origin_x[i])), lane.x);
+            const auto edge = [&](int e) {
+                return hn::MulAdd(hn::Set(d, batch.gx[e][i]), px,
+                    hn::MulAdd(hn::Set(d, batch.gy[e][i]), py, hn::Set(d, batch.c[e][i])));
+            };
+            const auto least = hn::Min(edge(0), hn::Min(edge(1), edge(2)));
+            const int offset = scratch.column_offset[x] + scratch.row_offset[y];
+            const auto w = inverse_depth<kWide>(d, batch, i, px, py);
+            const auto stored = hn::Load(d, scratch.w.data() + offset);
+            const auto behind =
+                hn::Lt(hn::Sub(w, stored), hn::Neg(hn::Mul(stored, hn::Set(d, kDepthSlack))));
+            const auto open = hn::AndNot(behind, hn::Gt(least, maybe_from));
+            if (hn::AllFalse(d, open)) continue;
+            alignas(64) float w_lanes[16];
+            hn::Store(w, d, w_lanes);
+            decide_lanes_exactly(tile, i,
+                {x, y, offset, columns(d), bits(d, open), bits(d, hn::Gt(least, inside_from)),
+                    w_lanes});
+        }
+    }
+}
+
+/// Rasterises triangle i over all samples of the block in column bx and row by. Does what
+/// raster_box does, but without branches that depend on the box or on single registers. The
+/// triangle's extent in the batch has to include whole blocks.
 template <bool kCovered>
-HWY_INLINE void raster_block(const ViewMemory& view, ItemTile& tile, int i, int bx, int by)
+HWY_INLINE void raster_block(const TileInWork& tile, int i, int bx, int by)
 {
     const Samples d;
-    const Batch& batch = tile.batch;
+    const Batch& batch = tile.scratch.batch;
     const hn::RebindToUnsigned<Samples> du;
     constexpr int kColumns = columns(Samples()), kRows = rows(Samples());
     constexpr int kRegisters = kBlockSamples / (kColumns * kRows);
     const LaneOffsets<Samples> lane(d);
-    const int block = by * tile.blocks_x() + bx;
+    const int block = by * tile.items.blocks_x() + bx;
     const float x0 = float(bx * kBlock - batch.origin_x[i]);
     const float y0 = float(by * kBlock - batch.origin_y[i]);
     const auto inside_from = hn::Set(d, kEdgeError), maybe_from = hn::Set(d, -kEdgeError);
     const auto slack_factor = hn::Set(d, kDepthSlack);
     const auto id = hn::Set(du, batch.triangle[i]);
-    float* const stored_w = tile.w.data() + block * kBlockSamples;
-    std::uint32_t* const stored_item = tile.item.data() + block * kBlockSamples;
+    float* const stored_w = tile.scratch.w.data() + block * kBlockSamples;
+    std::uint32_t* const stored_item = tile.items.item.data() + block * kBlockSamples;
     hn::Mask<Samples> open[kRegisters], sure[kRegisters];
     auto any_open = hn::Ne(inside_from, inside_from); // none
     HWY_UNROLL(4)
@@ -148,62 +192,72 @@ HWY_INLINE void raster_block(const ViewMemory& view, ItemTile& tile, int i, int 
         const auto py = hn::Add(hn::Set(d, y0 + float(dy)), lane.y);
         alignas(64) float w_lanes[16];
         hn::Store(inverse_depth<false>(d, batch, i, px, py), d, w_lanes);
-        decide_lanes_exactly(view, tile, i,
-            {bx * kBlock + dx, by * kBlock + dy, block * kBlockSamples + at, kColumns},
-            bits(d, open[k]), bits(d, sure[k]), w_lanes);
+        decide_lanes_exactly(tile, i,
+            {bx * kBlock + dx, by * kBlock + dy, block * kBlockSamples + at, kColumns,
+                bits(d, open[k]), bits(d, sure[k]), w_lanes});
     }
 }
 
-HWY_INLINE void mark_stale(ItemTile& tile, const Box& box)
+/// Notes that block_w of a block may have become too small.
+HWY_INLINE void mark_stale(RasterScratch& scratch, int block)
 {
-    for (int by = box.y0 / kBlock; by <= box.y1 / kBlock; ++by) {
-        for (int bx = box.x0 / kBlock; bx <= box.x1 / kBlock; ++bx) {
-            const int block = by * tile.blocks_x() + bx;
-            tile.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
-        }
-    }
+    scratch.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
+}
+
+/// The same for all blocks that a box meets.
+HWY_INLINE void mark_stale(const TileInWork& tile, const Box& box)
+{
+    for (int by = box.y0 / kBlock; by <= box.y1 / kBlock; ++by)
+        for (int bx = box.x0 / kBlock; bx <= box.x1 / kBlock; ++bx)
+            mark_stale(tile.scratch, by * tile.items.blocks_x() + bx);
 }
 
 /// Updates block_w of the stale blocks, and least_w.
-HWY_INLINE void refresh_blocks(ItemTile& tile)
+///
+/// blocks  number of blocks of the tile
+HWY_INLINE void refresh_blocks(RasterScratch& scratch, int blocks)
 {
     const Samples d;
     bool changed = false;
     for (int word = 0; word < 4; ++word) {
-        for (std::uint64_t stale = tile.stale[word]; stale; stale &= stale - 1) {
+        for (std::uint64_t stale = scratch.stale[word]; stale; stale &= stale - 1) {
             const int block = word * 64 + std::countr_zero(stale);
-            const float* w = tile.w.data() + block * kBlockSamples;
+            const float* w = scratch.w.data() + block * kBlockSamples;
             auto least = hn::Load(d, w);
             for (int k = int(hn::Lanes(d)); k < kBlockSamples; k += int(hn::Lanes(d)))
                 least = hn::Min(least, hn::Load(d, w + k));
-            tile.block_w[block] = hn::GetLane(hn::MinOfLanes(d, least));
+            scratch.block_w[block] = hn::GetLane(hn::MinOfLanes(d, least));
             changed = true;
         }
-        tile.stale[word] = 0;
+        scratch.stale[word] = 0;
     }
     if (!changed) return;
-    auto least = hn::Set(d, tile.block_w[0]);
+    auto least = hn::Set(d, scratch.block_w[0]);
     int block = 0;
-    for (; block + int(hn::Lanes(d)) <= tile.blocks(); block += int(hn::Lanes(d)))
-        least = hn::Min(least, hn::Load(d, tile.block_w + block));
-    tile.least_w = hn::GetLane(hn::MinOfLanes(d, least));
-    for (; block < tile.blocks(); ++block)
-        tile.least_w = std::min(tile.least_w, tile.block_w[block]);
+    for (; block + int(hn::Lanes(d)) <= blocks; block += int(hn::Lanes(d)))
+        least = hn::Min(least, hn::Load(d, scratch.block_w + block));
+    scratch.least_w = hn::GetLane(hn::MinOfLanes(d, least));
+    for (; block < blocks; ++block)
+        scratch.least_w = std::min(scratch.least_w, scratch.block_w[block]);
 }
 
-/// Whether the whole triangle is certainly behind the stored triangles.
+/// Whether a triangle is certainly behind all stored triangles of a part of the tile.
+///
+/// nearest_w  at least the triangle's 1/t
+/// stored_w   at most the stored 1/t
 HWY_INLINE bool is_hidden(float nearest_w, float stored_w)
 {
     return nearest_w * (1 + kDepthSlack) < stored_w;
 }
 
-/// Rasterises triangle i over its box by blocks. Tests a row of blocks at a time against the edges
-/// and against the stored depth, and skips the blocks that it misses or that hide it.
-inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
+/// Rasterises triangle i over the blocks that its box meets. Tests up to eight blocks of a row at a
+/// time against the edges and the stored depths, and skips the blocks that it misses or that hide
+/// it.
+inline void raster_blocks(const TileInWork& tile, int i)
 {
     const hn::CappedTag<float, 8> d;
-    const int lanes = int(hn::Lanes(d));
-    const Batch& batch = tile.batch;
+    const int lanes = int(hn::Lanes(d)), blocks_x = tile.items.blocks_x();
+    const Batch& batch = tile.scratch.batch;
     const Box box{batch.x0[i], batch.y0[i], batch.x1[i], batch.y1[i]};
     alignas(64) float numbers[8];
     for (int k = 0; k < 8; ++k) numbers[k] = float(k * kBlock);
@@ -229,7 +283,7 @@ inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
             const auto w = hn::MulAdd(wx, px, hn::MulAdd(wy, py, hn::Set(d, batch.wc[i])));
             const auto w_up = hn::Add(hn::Max(wx, zero), hn::Max(wy, zero));
             const auto block_nearest = hn::Min(nearest_w, hn::MulAdd(w_up, reach, w));
-            const auto stored = hn::LoadU(d, tile.block_w + by * tile.blocks_x() + bx);
+            const auto stored = hn::LoadU(d, tile.scratch.block_w + by * blocks_x + bx);
             const auto hidden = hn::Lt(hn::Mul(block_nearest, hn::Set(d, 1 + kDepthSlack)), stored);
             const auto missed = hn::Lt(best, hn::Set(d, -kBoxError));
             std::uint64_t todo = bits(d, hn::Not(hn::Or(hidden, missed)));
@@ -239,32 +293,32 @@ inline void raster_blocks(const ViewMemory& view, ItemTile& tile, int i)
             for (; todo; todo &= todo - 1) {
                 const int k = std::countr_zero(todo);
                 if (covered >> k & 1)
-                    raster_block<true>(view, tile, i, bx + k, by);
+                    raster_block<true>(tile, i, bx + k, by);
                 else
-                    raster_block<false>(view, tile, i, bx + k, by);
-                const int block = by * tile.blocks_x() + bx + k;
-                tile.stale[block >> 6] |= std::uint64_t(1) << (block & 63);
+                    raster_block<false>(tile, i, bx + k, by);
+                mark_stale(tile.scratch, by * blocks_x + bx + k);
             }
         }
     }
 }
 
-/// Stores a tiny triangle at the samples that the set-up found inside.
-HWY_INLINE void store_tiny(const ViewMemory& view, ItemTile& tile, int i)
+/// Stores a triangle of Kernel::tiny at the samples that the set-up found inside.
+HWY_INLINE void store_tiny(const TileInWork& tile, int i)
 {
-    const Batch& batch = tile.batch;
+    RasterScratch& scratch = tile.scratch;
+    const Batch& batch = scratch.batch;
     for (int k = 0; k < 4; ++k) {
         const float w = batch.tiny_w[k][i];
         if (!(w > 0)) continue;
         const int x = batch.x0[i] + (k & 1), y = batch.y0[i] + (k >> 1);
-        const int offset = tile.column_offset[x] + tile.row_offset[y];
-        const float stored = tile.w[std::size_t(offset)];
+        const int offset = scratch.column_offset[x] + scratch.row_offset[y];
+        const float stored = scratch.w[std::size_t(offset)];
         const float ahead = w - stored, slack = stored * kDepthSlack;
         if (ahead > slack) {
-            tile.w[std::size_t(offset)] = w;
-            tile.item[std::size_t(offset)] = batch.triangle[i];
+            scratch.w[std::size_t(offset)] = w;
+            tile.items.item[std::size_t(offset)] = batch.triangle[i];
         } else if (!(ahead < -slack)) {
-            decide_lanes_exactly(view, tile, i, {x, y, offset, 1}, 1, 1, &w);
+            decide_lanes_exactly(tile, i, {x, y, offset, 1, 1, 1, &w});
         }
     }
 }

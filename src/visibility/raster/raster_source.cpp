@@ -1,7 +1,7 @@
 // raster_source.cpp - the ItemSource of the software rasteriser.
 #include "visibility/raster/raster_source.h"
 
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
 #include "visibility/bin/project.h"
 #include "visibility/raster/raster_tile.h"
 
@@ -10,24 +10,28 @@
 namespace firsthit {
 namespace {
 
-/// Clears the items of samples outside the picture, which the rasteriser fills in because it works
-/// on whole registers.
-void clear_outside(const ViewMemory& memory, int tile, ItemTile& out)
+/// Clears the items of samples outside the picture. The rasteriser sets them, since it works on
+/// whole registers.
+void clear_outside(const TileLayout& layout, int tile, TileItems& out)
 {
-    const int columns = memory.pencil.width - tile % memory.tiles_x * out.size;
-    const int rows = memory.pencil.height - tile / memory.tiles_x * out.size;
+    const int columns = layout.pencil.width - layout.first_x(tile);
+    const int rows = layout.pencil.height - layout.first_y(tile);
     if (columns >= out.size && rows >= out.size) return;
     for (int y = 0; y < out.size; ++y)
         for (int x = y < rows ? std::min(columns, out.size) : 0; x < out.size; ++x)
-            out.item[std::size_t(out.column_offset[x] + out.row_offset[y])] = kNoItem;
+            out.item[std::size_t(tile_offset(x, y, out.size))] = kNoItem;
 }
 
 } // namespace
 
 bool RasterSource::start(const World& world, ViewMemory& memory, Tasks& tasks)
 {
-    project_vertices(world.position, memory, tasks);
-    return bin_triangles(world.scene->index, memory, tasks);
+    while (int(scratch_.size()) < tasks.threads())
+        scratch_.push_back(std::make_unique<RasterScratch>());
+    for (const auto& scratch : scratch_) resize(*scratch, memory.tile_size);
+    take_triangles(*world.scene, memory);
+    project_vertices(world.position, memory.pencil, memory, tasks);
+    return bin_triangles(memory, memory, memory, tasks);
 }
 
 std::size_t RasterSource::wait(const ViewMemory& memory)
@@ -35,10 +39,11 @@ std::size_t RasterSource::wait(const ViewMemory& memory)
     return std::size_t(memory.tiles());
 }
 
-void RasterSource::tile(const ViewMemory& memory, int tile, ItemTile& out,
-    std::span<std::uint64_t> /*holes*/, std::size_t /*worker*/)
+void RasterSource::tile(const ViewMemory& memory, int tile, TileItems& out,
+    std::span<std::uint64_t> /*holes*/, std::size_t worker)
 {
-    raster_tile(memory, tile, out);
+    raster_tile(
+        memory, memory.rays(tile), bin_of(memory, std::size_t(tile)), out, *scratch_[worker]);
     clear_outside(memory, tile, out);
 }
 

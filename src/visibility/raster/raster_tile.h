@@ -1,20 +1,27 @@
-// raster_tile.h - rasterises the item buffer of one tile.
+// raster_tile.h - rasterises the items of one tile.
 #pragma once
 
-#include "visibility/raster/item_tile.h"
-#include "visibility/bin/view_memory.h"
+#include "visibility/bin/bins.h"
+#include "visibility/raster/raster_scratch.h"
+#include "visibility/tile_items.h"
 
 namespace firsthit {
 
-/// Prepares a worker's tile. Allocates only to grow.
-void resize(ItemTile& tile, int size);
-
-/// Finds the triangle that each sample of the tile sees: fills out.item and out.w for tile number
-/// `tile` of the binned view. The item is exact: of all triangles that is_hit (exact/hit.h)
-/// accepts, the first one by compare_depth, and of equal ones the one with the lowest id.
+/// Finds the triangle that each sample of a tile sees: fills out.item, out.rays and out.counts. The
+/// items are exact: of all triangles that is_hit (exact/hit.h) accepts and that are there
+/// (exact/cutouts.h), the first one by
+/// compare_depth, and of equally near ones the one with the lowest id. Samples of the tile outside
+/// the picture get items too; they are not defined.
 ///
-/// source  Weghorst, Hooper and Greenberg 1984, "Improved Computational Methods for Ray Tracing"
-///         (item buffer); Robert and Schoepke 2006, section 3.1
-void raster_tile(const ViewMemory& view, int tile, ItemTile& out);
+/// mesh     in CornerSpace::eye
+/// rays     of the tile's samples (TileLayout::rays)
+/// bin      the tile's triangles (bin_of)
+/// out      resized to the tile's size
+/// scratch  resized to the tile's size; afterwards scratch.w holds 1/t of the items with a relative
+///          error of at most kDepthError
+/// source   Weghorst, Hooper and Greenberg 1984, "Improved Computational Methods for Ray Tracing"
+///          (item buffer); Robert and Schoepke 2006, section 3.1
+void raster_tile(const EyeMesh& mesh, const LatticeTile& rays, const TileBin<Fragment>& bin,
+    TileItems& out, RasterScratch& scratch);
 
 } // namespace firsthit

@@ -1,4 +1,5 @@
-// sample_registers-inl.h - SIMD registers whose lanes are samples of a tile.
+// sample_registers-inl.h - SIMD registers whose lanes are samples of a tile, in the order of
+// base/tile_order.h.
 #if defined(FIRSTHIT_SAMPLE_REGISTERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SAMPLE_REGISTERS_INL_H
 #undef FIRSTHIT_SAMPLE_REGISTERS_INL_H
@@ -23,6 +24,7 @@ using Samples = hn::CappedTag<float, 16>;
 /// A register of as many samples as a register holds doubles.
 using WideSamples = hn::Rebind<float, hn::CappedTag<double, 8>>;
 
+/// Columns and rows of samples that a register covers.
 template <class D>
 constexpr int columns(D d)
 {
@@ -34,6 +36,7 @@ constexpr int rows(D d)
     return std::max<int>(1, int(hn::MaxLanes(d)) / 4);
 }
 
+/// A bit for each lane of a mask.
 template <class D>
 HWY_INLINE std::uint64_t bits(D d, hn::Mask<D> mask)
 {

@@ -1,18 +1,19 @@
-// set_up-inl.h - computes edge functions and depth of a batch of triangles, one in each lane.
+// set_up-inl.h - computes the edge functions and the depths of a batch of triangles, one in each
+// lane.
 //
 // Everything is computed in double and rounded once to float. The errors, with u = 2^-24:
 //
-// Edges. c, gx and gy are rounded once (u each); evaluating e takes two products and two sums. So
-// |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), where X and Y are the largest offsets; the tiny
-// kernel's steps add less than u. Edges are scaled so that the bracket is 1, and one constant
-// bounds them all. The computation in double adds less than 2^-29: products of a x b are exact, so
-// each term has at most four roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| is at most 2^22 times
-// the bracket for the largest picture with the farthest principal point (|X0| < 2^22).
+// Edges. c, gx and gy are rounded once (u each). Evaluating e takes two products and two sums. So
+// |computed e - e| <= 5 u (|c| + X |gx| + Y |gy|), where X and Y are the largest offsets; the steps
+// of the tiny kernel add less than u. Edges are scaled so that the bracket is 1, and one constant
+// bounds them all. The computation in double adds less than 2^-29: the products of a x b are exact,
+// so each term has at most four roundings of 2^-53, and |nx X0| + |ny Y0| + |nz| is at most 2^22
+// times the bracket for the largest picture with the farthest principal point (|X0| < 2^22).
 //
-// Depth. It is not scaled: the error is 5 u (|wc| + X |wx| + Y |wy|) <= 15 u w if the bracket is at
-// most 3 w. That is tested with the triangle's least w, 1 / its farthest z. The computation in
-// double is tested to add less than 2.5 u w, and the tiny kernel's steps add 3 u w. All together
-// is less than kDepthError = 24 u.
+// Depth. It is not scaled. The error is 5 u (|wc| + X |wx| + Y |wy|), which is at most 15 u w if
+// the bracket is at most 3 w. That is tested with the triangle's least w, which is 1 / its farthest
+// z. The computation in double is tested to add less than 2.5 u w, and the steps of the tiny kernel
+// add 3 u w. All together is less than kDepthError = 24 u.
 #if defined(FIRSTHIT_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_SET_UP_INL_H
 #undef FIRSTHIT_SET_UP_INL_H
@@ -22,7 +23,8 @@
 
 #include <hwy/highway.h>
 
-#include "visibility/raster/item_tile.h"
+#include "visibility/raster/raster_scratch.h"
+#include "visibility/triangle_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -30,68 +32,14 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Bounds of an edge's error at a sample, and at a corner of a box (which takes two more sums).
-constexpr float kEdgeError = 6 * 0x1p-24f;
+/// Bound of an edge's error at a corner of a box, which takes two more sums than at a sample.
 constexpr float kBoxError = 12 * 0x1p-24f;
 
-template <class V>
-struct Vector3 {
-    V x, y, z;
-};
-
-template <class V>
-HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b)
-{
-    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
-        hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-        hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
-
-/// |a.y b.z| + |a.z b.y|, ...: sizes that bound the rounding error of cross(a, b).
-template <class V>
-HWY_INLINE Vector3<V> cross_size(const Vector3<V>& a, const Vector3<V>& b)
-{
-    const auto term = [](V p, V q, V r, V s) {
-        return hn::Add(hn::Abs(hn::Mul(p, q)), hn::Abs(hn::Mul(r, s)));
-    };
-    return {term(a.y, b.z, a.z, b.y), term(a.z, b.x, a.x, b.z), term(a.x, b.y, a.y, b.x)};
-}
-
-template <class V>
-HWY_INLINE Vector3<V> sub(const Vector3<V>& a, const Vector3<V>& b)
-{
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-/// The plane of a triangle, and the planes through the origin and each edge, in double.
-template <class V>
-struct Planes {
-    Vector3<V> edge[3];   // v1 x v2, v2 x v0, v0 x v1: edge k is opposite of corner k
-    Vector3<V> n, n_size; // (v1 - v0) x (v2 - v0)
-    V volume, volume_size;
-};
-
-template <class V>
-HWY_INLINE Planes<V> planes_of(const Vector3<V>& v0, const Vector3<V>& v1, const Vector3<V>& v2)
-{
-    Planes<V> p;
-    p.edge[0] = cross(v1, v2);
-    p.edge[1] = cross(v2, v0);
-    p.edge[2] = cross(v0, v1);
-    const auto e1 = sub(v1, v0), e2 = sub(v2, v0);
-    p.n = cross(e1, e2);
-    p.n_size = cross_size(e1, e2);
-    const V tx = hn::Mul(v0.x, p.edge[0].x), ty = hn::Mul(v0.y, p.edge[0].y),
-            tz = hn::Mul(v0.z, p.edge[0].z);
-    p.volume = hn::Add(hn::Add(tx, ty), tz);
-    p.volume_size = hn::Add(hn::Add(hn::Abs(tx), hn::Abs(ty)), hn::Abs(tz));
-    return p;
-}
-
-/// Sets up one register of the batch's triangles, starting at triangle i. (x0, y0) is the direction
-/// of the tile's first sample.
+/// Sets up one register of the batch's triangles, starting at triangle i.
+///
+/// rays  of the tile's samples
 template <class D>
-HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
+HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, const LatticeTile& rays)
 {
     using V = hn::Vec<D>;
     const hn::Rebind<float, D> f;
@@ -105,15 +53,16 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
         v2{load(6), load(7), load(8)};
     const Planes<V> p = planes_of(v0, v1, v2);
 
-    const V ox = hn::Add(hn::Set(d, x0), real(whole(batch.origin_x)));
-    const V oy = hn::Add(hn::Set(d, y0), real(whole(batch.origin_y)));
+    const V ox = hn::Add(hn::Set(d, rays.x0), real(whole(batch.origin_x)));
+    const V oy = hn::Add(hn::Set(d, rays.y0), real(whole(batch.origin_y)));
     const V extent_x = real(whole(batch.extent_x)), extent_y = real(whole(batch.extent_y));
     const V one = hn::Set(d, 1.0);
     const auto at_origin = [&](const Vector3<V>& n) {
         return hn::Add(hn::Add(hn::Mul(n.x, ox), hn::Mul(n.y, oy)), n.z);
     };
 
-    // Depth: 1/t = N . d / volume, and whether float or at least double keeps to kDepthError.
+    // Compute depth, 1/t = n . d / volume, and whether its error in float, or at least in double,
+    // is below kDepthError.
     const V inverse_volume = hn::Div(one, p.volume);
     const V wx = hn::Mul(p.n.x, inverse_volume), wy = hn::Mul(p.n.y, inverse_volume);
     const V wc = hn::Mul(at_origin(p.n), inverse_volume);
@@ -127,11 +76,11 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     const auto well_conditioned = hn::And(
         hn::Ge(hn::Abs(p.volume), hn::Mul(hn::Set(d, 0x1p-24), p.volume_size)),
         hn::Le(hn::Mul(double_size, farthest_z), hn::Mul(hn::Set(d, 0x1p27), hn::Abs(p.volume))));
-    // False for a volume of 0, which gives NaN.
+    // This is false for a volume of 0, which gives NaN.
     const auto double_fits =
         hn::And(well_conditioned, hn::Le(float_size, hn::Set(d, double(kGreatestW))));
 
-    // Edges, positive inside, |e| <= 1 over the extent.
+    // Compute edges, positive inside, with |e| <= 1 over the extent.
     auto gx0 = hn::Zero(f), gy0 = gx0, c0 = gx0, gx1 = gx0, gy1 = gx0, c1 = gx0, gx2 = gx0,
          gy2 = gx0, c2 = gx0;
     const auto edge = [&](const Vector3<V>& n, auto& gx, auto& gy, auto& c) {
@@ -147,7 +96,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     edge(p.edge[1], gx1, gy1, c1);
     edge(p.edge[2], gx2, gy2, c2);
 
-    // Choose the kernel. An edge that is negative over the whole box: the triangle misses the tile.
+    // Choose the kernel. If an edge is negative over the whole box, the triangle misses the tile.
     const auto zero = hn::Zero(f);
     const auto bx0 = whole(batch.x0), by0 = whole(batch.y0);
     const auto bx1 = whole(batch.x1), by1 = whole(batch.y1);
@@ -165,7 +114,7 @@ HWY_INLINE void set_up_lanes(D d, Batch& batch, int i, float x0, float y0)
     const auto best = hn::Min(most(s0, gx0, gy0), hn::Min(most(s1, gx1, gy1), most(s2, gx2, gy2)));
     const auto missed = hn::Lt(best, hn::Set(f, -kBoxError));
 
-    // Tiny boxes: test their (up to) four samples now.
+    // Test the samples of tiny boxes, up to four, now.
     const auto wxf = hn::DemoteTo(f, wx), wyf = hn::DemoteTo(f, wy), wcf = hn::DemoteTo(f, wc);
     const auto sw = start(wxf, wyf, wcf);
     const auto single = hn::Set(f, 1.0f);

@@ -1,11 +1,11 @@
 // baseline_test.cpp - `firsthit bench --baseline` tried with few small frames.
-#include "bench/frame_maker.h"
-#include "bench/moving_scenes.h"
-#include "bench/baseline_frames.h"
-#include "bench/baseline_scenes.h"
-#include "bench/baseline_tables.h"
-#include "bench/baseline.h"
-#include "bench/picture_difference.h"
+#include "bench/baseline/baseline.h"
+#include "bench/baseline/frame_maker.h"
+#include "bench/baseline/frames.h"
+#include "bench/baseline/moving_scenes.h"
+#include "bench/baseline/picture_difference.h"
+#include "bench/baseline/scenes.h"
+#include "bench/baseline/tables.h"
 
 #include <firsthit/error.h>
 
@@ -24,7 +24,7 @@ bool has_embree()
     return !baseline_version().empty();
 }
 
-const Report& quick_report()
+const Report& quick_baseline()
 {
     static const Report report = [] {
         BenchOptions options;
@@ -39,7 +39,7 @@ const Report& quick_report()
     return report;
 }
 
-void expect_sound(const Json& values)
+void expect_sound_baseline(const Json& values)
 {
     EXPECT_GT(values["lower"].get<double>(), 0);
     EXPECT_LE(values["lower"].get<double>(), values["median"].get<double>());
@@ -50,7 +50,7 @@ void expect_sound(const Json& values)
 
 TEST(Baselines, AQuickRunHasTimesRatiosAndPicturesOfEveryScene)
 {
-    const Json json = quick_report().json["baseline"];
+    const Json json = quick_baseline().json["baseline"];
     std::set<std::string> scenes;
     for (const Json& row : json["rows"]) {
         scenes.insert(row["scene"].get<std::string>());
@@ -58,7 +58,7 @@ TEST(Baselines, AQuickRunHasTimesRatiosAndPicturesOfEveryScene)
         std::set<std::string> sides;
         for (const Json& side : row["sides"]) {
             sides.insert(side["side"].get<std::string>());
-            expect_sound(side["ms"]);
+            expect_sound_baseline(side["ms"]);
             EXPECT_GE(side["stages_ms"].size(), 5u);
         }
         EXPECT_TRUE(sides.count("ours, map") && sides.count("ours, exact"));
@@ -69,7 +69,7 @@ TEST(Baselines, AQuickRunHasTimesRatiosAndPicturesOfEveryScene)
         }
         EXPECT_FALSE(row["update"].get<std::string>().empty());
         ASSERT_GE(row["ratios"].size(), 2u);
-        for (const Json& ratio : row["ratios"]) expect_sound(ratio["ratio"]);
+        for (const Json& ratio : row["ratios"]) expect_sound_baseline(ratio["ratio"]);
         if (row["threads"] != 1) continue;
         for (const char* const shadows : {"exact", "map"}) {
             const Json& pictures = row["pictures"][shadows];
@@ -84,7 +84,7 @@ TEST(Baselines, AQuickRunHasTimesRatiosAndPicturesOfEveryScene)
 
 TEST(Baselines, AQuickRunHasItsSweepsAndWhatIsAsked)
 {
-    const Json json = quick_report().json["baseline"];
+    const Json json = quick_baseline().json["baseline"];
     ASSERT_EQ(json["asked"].size(), 1u);
     EXPECT_EQ(json["asked"][0]["scene"], "torus");
     EXPECT_EQ(json["asked"][0]["map"]["asked"], 8);
@@ -100,20 +100,20 @@ TEST(Baselines, AQuickRunHasItsSweepsAndWhatIsAsked)
 
 TEST(Baselines, ThePageShowsItsTablesAndCurves)
 {
-    const std::string page = to_text(quick_report().page.json());
+    const std::string page = to_text(quick_baseline().page.json());
     for (const char* const text : {"Asked and measured", "Frame time against pixels",
              "Frame time against the share", "Pixels that are not Embree"})
         EXPECT_EQ(page.find(text) != std::string::npos,
             has_embree() || !std::string(text).starts_with("Pixels"))
             << text;
-    EXPECT_NE(
-        quick_report().text.find("Whole frames, milliseconds: 64x48, 1 thread"), std::string::npos);
+    EXPECT_NE(quick_baseline().text.find("Whole frames, milliseconds: 64x48, 1 thread"),
+        std::string::npos);
 }
 
 TEST(Baselines, TablesAreAsWideAsTheirHeadsAndCurvesHaveAYForEveryX)
 {
     std::size_t tables = 0, curves = 0;
-    const Json page = quick_report().page.json();
+    const Json page = quick_baseline().page.json();
     for (const Json& part : page["parts"]) {
         if (part.contains("table")) {
             for (const Json& row : part["table"]["rows"])
@@ -194,15 +194,15 @@ TEST(MovingScenes, AShareOfTheClothMoves)
         std::size_t moved = 0;
         for (std::size_t v = 0; v < a.position.size(); ++v) moved += a.position[v] != b.position[v];
         EXPECT_NEAR(double(moved) / double(a.position.size()), share, 0.06) << share;
-        EXPECT_EQ(scene->parts.size(), share == 0.1 ? 2u : 1u);
+        EXPECT_EQ(scene->instances.size(), share == 0.1 ? 2u : 1u);
         for (std::size_t t = 0; t < scene->index.size(); ++t) {
-            const Part& part = scene->parts.at(scene->owner[t]);
-            EXPECT_GE(t, part.first_triangle);
-            EXPECT_LT(t, part.first_triangle + part.triangle_count);
+            const Instance& instance = scene->instances.at(scene->owner[t]);
+            EXPECT_GE(t, instance.first_triangle);
+            EXPECT_LT(t, instance.first_triangle + instance.triangle_count);
             // No triangle hangs between the two.
             for (int k = 0; k < 3; ++k) {
-                EXPECT_GE(scene->index[t][k], part.first_vertex);
-                EXPECT_LT(scene->index[t][k], part.first_vertex + part.vertex_count);
+                EXPECT_GE(scene->index[t][k], instance.first_vertex);
+                EXPECT_LT(scene->index[t][k], instance.first_vertex + instance.vertex_count);
             }
         }
     }

@@ -1,9 +1,11 @@
 // bench_options_test.cpp - what `firsthit bench` takes, and what it refuses.
 #include "bench/bench_options.h"
+#include "common/usage.h"
 #include "temporary_folder.h"
 
 #include <firsthit/error.h>
 
+#include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // page_test.cpp - what the page shows, as data; its pictures; the report's folder.
-#include "bench/densest_window.h"
-#include "bench/page.h"
-#include "bench/report.h"
+#include "bench/paper/densest_window.h"
+#include "bench/report/page.h"
+#include "bench/report/report.h"
 #include "temporary_folder.h"
 
 #include <firsthit/error.h>

@@ -1,8 +1,8 @@
 // paper_test.cpp - `firsthit bench --paper` tried with few small frames.
-#include "bench/machine.h"
-#include "bench/paper.h"
-#include "bench/paper_figures.h"
-#include "bench/paper_numbers.h"
+#include "bench/paper/figures.h"
+#include "bench/paper/numbers.h"
+#include "bench/paper/paper.h"
+#include "bench/report/machine.h"
 #include "temporary_folder.h"
 
 #include <firsthit/error.h>
@@ -103,8 +103,7 @@ TEST(Paper, OneLightIsOn)
 TEST(Paper, FramesAreTheMiddlesOfPartsOfTheAnimation)
 {
     Scene scene;
-    scene.begin_s = 10;
-    scene.end_s = 18;
+    scene.clips.push_back({.begin_s = 10, .end_s = 18});
     EXPECT_EQ(frame_time(scene, 0, 4), 11);
     EXPECT_EQ(frame_time(scene, 3, 4), 17);
 }

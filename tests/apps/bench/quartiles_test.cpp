@@ -1,6 +1,6 @@
 // quartiles_test.cpp - medians and quartiles, and measuring in turn.
-#include "bench/in_turn.h"
-#include "bench/quartiles.h"
+#include "bench/measure/in_turn.h"
+#include "bench/measure/quartiles.h"
 
 #include <firsthit/error.h>
 

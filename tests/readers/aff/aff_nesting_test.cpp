@@ -36,34 +36,34 @@ TEST(AffNesting, PutsParentsBeforeChildren)
     EXPECT_EQ(scene.nodes[2].name, "b");
     EXPECT_EQ(scene.nodes[2].parent, 1);
     EXPECT_EQ(scene.nodes[3].parent, 1);
-    ASSERT_EQ(scene.parts.size(), 3u);
-    EXPECT_EQ(scene.parts[0].node, 2u);
-    EXPECT_EQ(scene.parts[1].node, 3u);
-    EXPECT_EQ(scene.parts[2].node, 0u);
+    ASSERT_EQ(scene.instances.size(), 3u);
+    EXPECT_EQ(scene.instances[0].node, 2u);
+    EXPECT_EQ(scene.instances[1].node, 3u);
+    EXPECT_EQ(scene.instances[2].node, 0u);
 }
 
 TEST(AffNesting, BindsNodesToTracksThatComeLaterOrNever)
 {
     const Scene scene = scene_of("x a{i 0 sub.aff}", {{"sub.aff", "x b{} x c{} k c{} k a{}"}});
-    EXPECT_EQ(scene.tracks.at(std::size_t(scene.nodes[1].track)).name, "a");
-    EXPECT_EQ(scene.nodes[2].track, -1);
-    EXPECT_EQ(scene.tracks.at(std::size_t(scene.nodes[3].track)).name, "c");
+    EXPECT_TRUE(scene.nodes[1].transform) << "a, which the last file has";
+    EXPECT_FALSE(scene.nodes[2].transform) << "b, which no file has";
+    EXPECT_TRUE(scene.nodes[3].transform) << "c";
 }
 
 TEST(AffNesting, LetsTheLastTrackOfAnameCount)
 {
     const Scene scene = scene_of("k a{visibility 1 0 0} x a{} k a{visibility 2 1 0 2 1}");
-    ASSERT_EQ(scene.tracks.size(), 1u);
-    EXPECT_EQ(scene.tracks[0].visibility.size(), 2u);
+    ASSERT_EQ(scene.clips.at(0).channels.size(), 1u);
+    EXPECT_EQ(scene.clips[0].channels[0].time_s.size(), 3u) << "and visible before the first";
 }
 
 TEST(AffNesting, IncludesInTheMiddleOfANode)
 {
     const Scene scene = scene_of("x a{i 0 sub.aff}" + kTriangle, {{"sub.aff", kTriangle}});
-    ASSERT_EQ(scene.parts.size(), 2u);
-    EXPECT_EQ(scene.parts[0].node, 1u);
-    EXPECT_EQ(scene.parts[0].name, "sub.aff:1");
-    EXPECT_EQ(scene.parts[1].node, 0u);
+    ASSERT_EQ(scene.instances.size(), 2u);
+    EXPECT_EQ(scene.instances[0].node, 1u);
+    EXPECT_EQ(scene.instances[0].name, "sub.aff:1");
+    EXPECT_EQ(scene.instances[1].node, 0u);
 }
 
 TEST(AffNesting, KeepsAnIncludedMaterial)
@@ -113,25 +113,32 @@ TEST(AffNesting, ReadsIncludesTenThousandDeep)
 
 TEST(AffNesting, ReadsTracksWithAllTheirBlocks)
 {
-    std::string text = "k a { visibility 2 1 0 2.5 1";
+    std::string text = "x a{} k a { visibility 2 1 0 2.5 1";
     for (const char* block : {"transl", "scale"}) {
         text += std::string(" ") + block + " 4";
         for (int k = 0; k < 4; ++k) text += " " + std::to_string(k) + " 1 2 3 .1 .2 .3";
     }
     text += " rot 4";
     for (int k = 0; k < 4; ++k) text += " " + std::to_string(k) + " 0 2 0 180 0 0 0";
-    const Track track = scene_of(text + "}").tracks.at(0);
-    EXPECT_EQ(track.visibility, (std::vector<std::pair<double, bool>>{{1, false}, {2.5, true}}));
-    ASSERT_EQ(track.translation.size(), 4u);
-    ASSERT_EQ(track.scale.size(), 4u);
-    ASSERT_EQ(track.rotation.size(), 4u);
-    EXPECT_EQ(track.scale[3].time_s, 3);
-    EXPECT_EQ(glm::dvec3(track.scale[3].value), glm::dvec3(1, 2, 3));
-    EXPECT_FLOAT_EQ(float(track.translation[1].tension), 0.1f);
-    EXPECT_FLOAT_EQ(float(track.translation[1].continuity), 0.2f);
-    EXPECT_FLOAT_EQ(float(track.translation[1].bias), 0.3f);
-    EXPECT_NEAR(track.rotation[0].value.y, 1, 1e-15) << "normalised";
-    EXPECT_NEAR(track.rotation[0].value.w, 0, 1e-15);
+    const Scene scene = scene_of(text + "}");
+    const std::vector<Channel>& channels = scene.clips.at(0).channels;
+    ASSERT_EQ(channels.size(), 4u);
+    const std::vector<TcbKey>& translation = channels[0].tcb;
+    const std::vector<TcbKey>& rotation = channels[1].tcb;
+    const std::vector<TcbKey>& scale = channels[2].tcb;
+    EXPECT_EQ(channels[3].time_s.at(1), 1);
+    EXPECT_EQ(channels[3].time_s.at(2), 2.5);
+    EXPECT_EQ(channels[3].value, (std::vector<double>{1, 0, 1}));
+    ASSERT_EQ(translation.size(), 4u);
+    ASSERT_EQ(scale.size(), 4u);
+    ASSERT_EQ(rotation.size(), 4u);
+    EXPECT_EQ(scale[3].time_s, 3);
+    EXPECT_EQ(glm::dvec3(scale[3].value), glm::dvec3(1, 2, 3));
+    EXPECT_FLOAT_EQ(float(translation[1].tension), 0.1f);
+    EXPECT_FLOAT_EQ(float(translation[1].continuity), 0.2f);
+    EXPECT_FLOAT_EQ(float(translation[1].bias), 0.3f);
+    EXPECT_NEAR(rotation[0].value.y, 1, 1e-15) << "normalised";
+    EXPECT_NEAR(rotation[0].value.w, 0, 1e-15);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// aff_shapes_test.cpp - polygons, textured and animated triangles of AFF, and what shares a part.
+// aff_shapes_test.cpp - polygons, textured and animated triangles of AFF, and what shares an instance.
 #include "readers/aff/aff_text.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(AffShapes, WearTextures)
     ASSERT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.textures[0].name(), "red.ppm");
     EXPECT_EQ(std::get<Phong>(scene.materials[0].model).texture, 0);
-    EXPECT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.instances.size(), 1u);
     ASSERT_EQ(scene.uv.size(), 6u);
     EXPECT_EQ(scene.uv[1], glm::vec2(0.3f, 0.4f));
     EXPECT_EQ(scene.uv[5], glm::vec2(7, 8));
@@ -78,22 +78,22 @@ TEST(AffShapes, AreFlatColouredWithOneWarningWhereATextureIsMissing)
     EXPECT_EQ(scene.warnings[0], "main.aff:2: no texture 'gone.ppm', a plain colour instead: "
                                  "gone.ppm: no such file");
     EXPECT_TRUE(scene.textures.empty());
-    EXPECT_EQ(scene.parts.size(), 1u) << "the material is the plain one";
+    EXPECT_EQ(scene.instances.size(), 1u) << "the material is the plain one";
 }
 
 TEST(AffShapes, ShareAPartBetweenNeighboursOfOneNodeAndMaterial)
 {
     const Scene scene = scene_of(kTriangle + kTriangle + "l 0 0 0 s 0 0 0 1 " + kTriangle +
                                  "xs 1 1 1 0 0 0 0 0 0 0 { " + kTriangle + "}" + kTriangle);
-    ASSERT_EQ(scene.parts.size(), 3u);
+    ASSERT_EQ(scene.instances.size(), 3u);
     std::uint32_t vertex = 0, triangle = 0;
     for (std::size_t p = 0; p < 3; ++p) {
-        EXPECT_EQ(scene.parts[p].first_vertex, vertex);
-        EXPECT_EQ(scene.parts[p].first_triangle, triangle);
-        for (std::uint32_t t = 0; t < scene.parts[p].triangle_count; ++t)
+        EXPECT_EQ(scene.instances[p].first_vertex, vertex);
+        EXPECT_EQ(scene.instances[p].first_triangle, triangle);
+        for (std::uint32_t t = 0; t < scene.instances[p].triangle_count; ++t)
             EXPECT_EQ(scene.owner[triangle + t], p);
-        vertex += scene.parts[p].vertex_count;
-        triangle += scene.parts[p].triangle_count;
+        vertex += scene.instances[p].vertex_count;
+        triangle += scene.instances[p].triangle_count;
     }
     EXPECT_EQ(vertex, scene.vertices);
     EXPECT_EQ(triangle, scene.triangle_count());
@@ -108,10 +108,10 @@ std::string key(double time, double x)
 TEST(AffShapes, AnimateTrianglesByTheirKeys)
 {
     const Scene scene = scene_of("tpa 2 " + key(1, 5) + key(3, 7));
-    ASSERT_EQ(scene.parts.size(), 1u);
-    ASSERT_EQ(scene.parts[0].morph.size(), 2u);
-    EXPECT_EQ(scene.parts[0].morph[1].time_s, 3);
-    EXPECT_EQ(scene.parts[0].morph[1].position[0], glm::vec3(7, 0, 0));
+    ASSERT_EQ(scene.instances.size(), 1u);
+    ASSERT_EQ(scene.instances[0].morph.size(), 2u);
+    EXPECT_EQ(scene.instances[0].morph[1].time_s, 3);
+    EXPECT_EQ(scene.instances[0].morph[1].position[0], glm::vec3(7, 0, 0));
     EXPECT_EQ(scene.position[0], glm::vec3(5, 0, 0)) << "the first key";
 }
 
@@ -119,11 +119,11 @@ TEST(AffShapes, ShareAPartBetweenAnimatedTrianglesWithTheSameTimes)
 {
     const Scene scene = scene_of("tpa 2 " + key(1, 5) + key(3, 7) + "tpa 2 " + key(1, 8) +
                                  key(3, 9) + "tpa 2 " + key(1, 5) + key(4, 7) + kTriangle);
-    ASSERT_EQ(scene.parts.size(), 3u);
-    EXPECT_EQ(scene.parts[0].triangle_count, 2u);
-    EXPECT_EQ(scene.parts[0].morph[1].position.size(), 6u);
-    EXPECT_EQ(scene.parts[0].morph[1].position[3], glm::vec3(9, 0, 0));
-    EXPECT_TRUE(scene.parts[2].morph.empty());
+    ASSERT_EQ(scene.instances.size(), 3u);
+    EXPECT_EQ(scene.instances[0].triangle_count, 2u);
+    EXPECT_EQ(scene.instances[0].morph[1].position.size(), 6u);
+    EXPECT_EQ(scene.instances[0].morph[1].position[3], glm::vec3(9, 0, 0));
+    EXPECT_TRUE(scene.instances[2].morph.empty());
 }
 
 } // namespace

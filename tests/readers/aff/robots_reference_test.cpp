@@ -1,5 +1,7 @@
 // robots_reference_test.cpp - BART's robots against values of an independent implementation.
 #include "readers/aff/aff.h"
+#include "scene/animate/evaluate_channel.h"
+#include "scene/animate/tcb_spline.h"
 #include "scene/animate/track.h"
 #include "io/whole_file.h"
 
@@ -45,12 +47,20 @@ class Robots : public testing::Test {
         if (!scene_) GTEST_SKIP() << "FIRSTHIT_TEST_DATA has no bart/scene_robot/aff/Robot.aff";
     }
 
-    static const Track& track(const std::string& name)
+    /// What moves the node of this name.
+    static Track track(const std::string& name)
     {
-        const auto found = std::find_if(scene_->tracks.begin(), scene_->tracks.end(),
-            [&](const Track& t) { return t.name == name; });
-        EXPECT_NE(found, scene_->tracks.end()) << name;
-        return *found;
+        const auto node = std::find_if(scene_->nodes.begin(), scene_->nodes.end(),
+            [&](const Node& n) { return n.name == name && n.transform; });
+        EXPECT_NE(node, scene_->nodes.end()) << name;
+        Track track;
+        for (const Channel& channel : scene_->clips.at(0).channels) {
+            if (channel.node != std::uint32_t(node - scene_->nodes.begin())) continue;
+            if (channel.path == Channel::Path::translation) track.translation = channel.tcb;
+            if (channel.path == Channel::Path::rotation) track.rotation = channel.tcb;
+            if (channel.path == Channel::Path::scale) track.scale = channel.tcb;
+        }
+        return track;
     }
     static World posed(double time_s)
     {
@@ -71,7 +81,7 @@ class Robots : public testing::Test {
     /// The rows of a track's rotation.
     static void expect_rotation(const Track& t, double time_s, const glm::dmat3& rows)
     {
-        const glm::dmat4 m = evaluate(t, time_s);
+        const glm::dmat4 m = matrix_of(transform_at(t, time_s));
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(m[c][r], rows[r][c], kTolerance);
     }
@@ -99,35 +109,42 @@ TEST_F(Robots, AreTenOfEqualSizeInAStaticCity)
     // Each robot hangs below a node that some track moves; the city below none.
     std::vector<std::int32_t> top(scene_->nodes.size(), -1);
     for (std::size_t n = 1; n < top.size(); ++n) {
-        const auto parent = static_cast<std::size_t>(scene_->nodes[n].parent);
-        top[n] = top[parent] >= 0              ? top[parent]
-                 : scene_->nodes[n].track >= 0 ? static_cast<std::int32_t>(n)
-                                               : -1;
+        const std::int32_t parent = scene_->nodes[n].parent; // -1 for the camera's node
+        const std::int32_t above = parent < 0 ? -1 : top[static_cast<std::size_t>(parent)];
+        top[n] = above >= 0                   ? above
+                 : scene_->nodes[n].transform ? static_cast<std::int32_t>(n)
+                                              : -1;
     }
     std::map<std::int32_t, std::size_t> triangles;
-    for (const Part& part : scene_->parts) triangles[top[part.node]] += part.triangle_count;
+    for (const Instance& instance : scene_->instances)
+        triangles[top[instance.node]] += instance.triangle_count;
     EXPECT_EQ(triangles.size(), 11u);
     for (const auto& [node, count] : triangles) EXPECT_EQ(count, node < 0 ? 9218u : 6249u);
 }
 
 TEST_F(Robots, HaveTheirTracksNodesLightAndTextures)
 {
-    EXPECT_EQ(scene_->tracks.size(), 187u);
     EXPECT_EQ(std::count_if(scene_->nodes.begin(), scene_->nodes.end(),
-                  [](const Node& n) { return !n.name.empty() && n.name != "world"; }),
+                  [](const Node& n) { return n.transform && n.name != "camera"; }),
+        185)
+        << "of 187 tracks; one is the camera's, one moves nothing";
+    EXPECT_EQ(std::count_if(scene_->nodes.begin(), scene_->nodes.end(),
+                  [](const Node& n) {
+                      return !n.name.empty() && n.name != "world" && n.name != "camera";
+                  }),
         190);
     ASSERT_EQ(scene_->lights.size(), 1u);
     EXPECT_EQ(scene_->lights[0].position, glm::dvec3(1, 500, 1));
     EXPECT_EQ(scene_->textures.size(), 44u);
     EXPECT_TRUE(scene_->warnings.empty());
-    EXPECT_EQ(scene_->begin_s, 0);
-    EXPECT_EQ(scene_->end_s, 50);
-    EXPECT_EQ(scene_->frames, 800);
+    EXPECT_EQ(scene_->begin_s(), 0);
+    EXPECT_EQ(scene_->end_s(), 50);
+    EXPECT_EQ(scene_->frames(), 800);
 }
 
 TEST_F(Robots, ShareFewParts)
 {
-    EXPECT_LE(scene_->parts.size(), 1849u);
+    EXPECT_LE(scene_->instances.size(), 1849u);
 }
 
 TEST_F(Robots, HaveTheCameraOfTheReferenceAtTenSeconds)
@@ -149,7 +166,7 @@ TEST_F(Robots, HaveTheCameraOfTheReferenceAtThirtySeconds)
 
 TEST_F(Robots, MoveByTheTranslationOfTheReference)
 {
-    expect_near(glm::dvec3(evaluate(track("robot_transl1"), 10)[3]), {-7.21438, 0, -186.04316});
+    expect_near(transform_at(track("robot_transl1"), 10).translation, {-7.21438, 0, -186.04316});
 }
 
 TEST_F(Robots, TurnByTheRotationsOfTheReference)

@@ -16,7 +16,8 @@ namespace {
 void expect_closed(const Shape& shape)
 {
     ASSERT_FALSE(shape.index.empty());
-    const Welded points = weld(shape.position);
+    Tasks alone(1);
+    const Welded points = weld(shape.position, alone);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const glm::uvec3& t : shape.index)
         for (int k = 0; k < 3; ++k) ++edges[{points.number[t[k]], points.number[t[(k + 1) % 3]]}];

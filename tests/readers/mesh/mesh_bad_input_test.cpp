@@ -42,12 +42,12 @@ TEST(MeshBadInput, RefusesFilesWithoutTriangles)
         error_of<FileError>(ply_header("ascii", "3", "0") + kVertices, ".ply"), "no triangles");
 }
 
-TEST(MeshBadInput, RefusesEveryTruncatedBinaryStl)
+TEST(MeshBadInput, RefusesBinaryStlWithoutAWholeFacet)
 {
     const std::string whole = binary_stl(3);
-    for (std::size_t size = 1; size < whole.size(); ++size)
+    for (std::size_t size = 1; size < 84 + 50; ++size)
         error_of<FileError>(whole.substr(0, size), ".stl");
-    expect_in(error_of<FileError>(whole.substr(0, 200), ".stl"), "3 facets, which makes 234 bytes");
+    expect_in(error_of<FileError>(whole.substr(0, 120), ".stl"), "3 facets, which makes 234 bytes");
 }
 
 TEST(MeshBadInput, RefusesEveryTruncatedBinaryPly)
@@ -64,18 +64,16 @@ TEST(MeshBadInput, RefusesEveryTruncatedBinaryPly)
 TEST(MeshBadInput, RefusesATruncatedAsciiPlyAndNamesTheElement)
 {
     expect_in(error_of<FileError>(ply_header("ascii", "3", "1") + "0 0 0\n1 0 0\n", ".ply"),
-        "ends at vertex 2");
-    expect_in(error_of<FileError>(ply_header("ascii", "3", "2") + kVertices + "3 0 1 2\n", ".ply"),
-        "ends at face 1");
+        "m.ply: the file ends at vertex 2 of 3: it is truncated, and has no triangles");
     expect_in(error_of<FileError>(ply_header("ascii", "3", "1") + kVertices + "3 0 1\n", ".ply"),
-        "m.ply:14: the line ends");
+        "ends at face 0 of 1");
 }
 
 TEST(MeshBadInput, RefusesATruncatedAsciiStl)
 {
     const std::string facet = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
     expect_in(error_of<FileError>(facet, ".stl"), "truncated");
-    expect_in(error_of<FileError>(facet + "endloop\n", ".stl"), "m.stl:6: a facet has 2 vertices");
+    expect_in(error_of<FileError>(facet + "endloop\n", ".stl"), "truncated");
 }
 
 TEST(MeshBadInput, RefusesCountsOfFourBillion)
@@ -84,10 +82,14 @@ TEST(MeshBadInput, RefusesCountsOfFourBillion)
     expect_in(error_of<FileError>(ply_header("ascii", huge, "1") + kVertices, ".ply"), "truncated");
     expect_in(error_of<FileError>(ply_header("ascii", "3", huge) + kVertices, ".ply"), "truncated");
     expect_in(
+        error_of<FileError>(ply_header("binary_little_endian", huge, huge) + kVertices, ".ply"),
+        "truncated");
+    expect_in(
         error_of<FileError>(ply_header("ascii", "4294967296", "1"), ".ply"), "4294967296 elements");
     expect_in(error_of<FileError>(ply_header("ascii", "-1", "1"), ".ply"), "-1 elements");
     std::string stl = binary_stl(1);
     stl.replace(80, 4, "\xFF\xFF\xFF\xFF");
+    stl.replace(84, 4, "\xFF\xFF\xFF\xFF"); // no number: nothing says that it is an STL file
     expect_in(error_of<FileError>(stl, ".stl"), "4294967295 facets");
     expect_in(error_of<SceneError>("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967295\n", ".obj"),
         "m.obj:4: vertex index 4294967295 is out of range (3 so far)");
@@ -105,46 +107,26 @@ TEST(MeshBadInput, NamesAnIndexOutOfRange)
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     expect_in(error_of<SceneError>(vertices + "f 0 1 2\n", ".obj"), "vertex index 0");
     expect_in(error_of<SceneError>(vertices + "f -4 1 2\n", ".obj"), "vertex index -4");
-    expect_in(
-        error_of<SceneError>(vertices + "f 1/1 2/1 3/1\n", ".obj"), "texture coordinate index 1");
-    expect_in(
-        error_of<SceneError>(vertices + "vn 0 0 1\nf 1//1 2//2 3//1\n", ".obj"), "normal index 2");
-}
-
-TEST(MeshBadInput, NamesACoordinateThatIsNotFinite)
-{
-    for (const char* const bad : {"nan", "inf", "-inf", "1e39", "-1e999"}) {
-        const std::string word = bad;
-        expect_in(error_of<SceneError>("v 0 0 0\nv 0 " + word + " 0\n", ".obj"),
-            "m.obj:2: number 2 is " + word);
-        expect_in(error_of<SceneError>(
-                      ply_header("ascii", "3", "1") + "0 0 0\n0 0 " + word + "\n", ".ply"),
-            "m.ply:12: z is " + word);
-        expect_in(
-            error_of<SceneError>("solid\nfacet normal 0 0 0\nouter loop\nvertex " + word, ".stl"),
-            "m.stl:4: x is " + word);
-    }
-    std::string stl = binary_stl(3);
-    stl.replace(84 + 50 + 12 + 16, 4, std::string("\x00\x00\x80\x7F", 4));
-    expect_in(error_of<SceneError>(stl, ".stl"), "facet 1, corner 1: y is inf");
+    expect_in(error_of<SceneError>("f 1 2 4\n" + vertices, ".obj"),
+        "m.obj:1: vertex index 4 is out of range (3 vertices)");
 }
 
 TEST(MeshBadInput, NamesAWordThatIsNoNumber)
 {
-    expect_in(error_of<FileError>("v 0 0 x1\n", ".obj"), "m.obj:1: number 3 is 'x1'");
-    expect_in(error_of<FileError>("v 0 0\n", ".obj"), "m.obj:1: the line ends before number 3");
-    expect_in(error_of<FileError>("v 0 0 0\nf 1 a 1\n", ".obj"), "vertex index is 'a'");
-    expect_in(error_of<FileError>("v 0 0 0\nf 1 1/ /1\n", ".obj"), "vertex index is ''");
+    expect_in(error_of<FileError>("v 0 0 0\nf 1 a 1\n", ".obj"), "m.obj:2: vertex index is 'a'");
+    expect_in(error_of<FileError>("v 0 0 0\nf 1 1/ /1\n", ".obj"), "vertex index is '/1'");
+    expect_in(error_of<FileError>("v 0 0 0\nf 1 1.5 1\n", ".obj"), "vertex index is '1.5'");
     expect_in(
         error_of<FileError>(ply_header("ascii", "3", "1") + kVertices + "3 0 1 2.5\n", ".ply"),
-        "'2.5', a whole number");
+        "m.ply:14: an index or length is '2.5', a whole number");
+    expect_in(error_of<FileError>(ply_header("ascii", "1", "1") + "0 x 0\n", ".ply"),
+        "m.ply:11: a value is 'x', a number is needed");
+    expect_in(error_of<FileError>("solid\nfacet\nvertex 0 1.5e 0\n", ".stl"),
+        "m.stl:3: y is '1.5e', a number is needed");
 }
 
-TEST(MeshBadInput, RefusesMixedAndOverlongCorners)
+TEST(MeshBadInput, RefusesAFaceOfMoreThanTheMostCorners)
 {
-    const std::string start = "v 0 0 0\nvt 0 0\nvn 0 0 1\n";
-    expect_in(error_of<FileError>(start + "f 1/1 1 1\n", ".obj"), "another form");
-    expect_in(error_of<FileError>(start + "f 1/1/1/1 1 1\n", ".obj"), "more than v/vt/vn");
     std::string face = "f";
     for (int k = 0; k <= 65536; ++k) face += " 1";
     expect_in(error_of<FileError>("v 0 0 0\n" + face, ".obj"), "more than 65536 corners");
@@ -174,20 +156,19 @@ TEST(MeshBadInput, RefusesBrokenPlyHeaders)
     expect_in(error(header("element vertex many\n")), "'many', a whole number");
     expect_in(error(header("element vertex 1\nproperty real x\n")), "'real' is no type");
     expect_in(error(header("property float x\n")), "before any element");
-    expect_in(error(header("element vertex 1\n" + xyz + "property int x\n")), "there twice");
     expect_in(
         error(header("element vertex 1\nproperty float x\n" + list + end)), "no property 'y'");
-    expect_in(
-        error(header(list + "element vertex 1\n" + xyz + end)), "must be 'vertex' and 'face'");
-    expect_in(error(header("element vertex 1\n" + xyz + end)), "cloud of points");
+    expect_in(error(header(list + end)), "there is no element 'vertex'");
+    expect_in(error(header("element vertex 1\n" + xyz + end)), "cloud of 1 points");
     expect_in(error(header("element vertex 1\n" + xyz + "element face 1\nproperty int a\n" + end)),
         "no list 'vertex_indices'");
     expect_in(error(header("element vertex 1\n" + xyz +
-                           "element face 1\nproperty list uchar float vertex_index\n" + end)),
-        "list of whole numbers");
-    expect_in(
-        error(header("element vertex 1\nproperty list uchar float x\n" + xyz)), "there twice");
-    expect_in(error(header("elephant 1\n")), "'elephant' is no word");
+                           "element face 1\nproperty list float int vertex_index\n" + end)),
+        "the length of a list must be a whole number");
+    expect_in(error(header("element vertex 1\nproperty list uchar float x\nproperty float y\n"
+                           "property float z\n" +
+                           list + end)),
+        "no property 'x'");
 }
 
 TEST(MeshBadInput, RefusesAFileInAnotherEncoding)
@@ -197,7 +178,7 @@ TEST(MeshBadInput, RefusesAFileInAnotherEncoding)
                             "2\0 \0"
                             "3\0\n\0",
         18);
-    expect_in(error_of<FileError>(utf16, ".obj"), "m.obj:1: '??v");
+    expect_in(error_of<FileError>(utf16, ".obj"), "m.obj: the text is UTF-16");
     error_of<FileError>(utf16, ".ply");
     error_of<FileError>(utf16, ".stl");
     EXPECT_EQ(

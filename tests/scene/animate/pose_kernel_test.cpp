@@ -60,8 +60,8 @@ TEST(PoseKernel, AgreesBitForBitWithPlainCodeForEveryCount)
             const Points p = random_points(count, 1), n = random_points(count, 2);
             Points plain_p = p, plain_n = n, moved_p(count), moved_n(count);
             for (std::size_t k = 0; k < count; ++k) move_plainly(matrix, plain_p[k], plain_n[k]);
-            EXPECT_TRUE(
-                move_vertices(matrix, count, p.data(), n.data(), moved_p.data(), moved_n.data()));
+            EXPECT_TRUE(move_vertices(
+                matrix, count, {p.data(), n.data()}, {moved_p.data(), moved_n.data()}));
             EXPECT_TRUE(same_bits(moved_p, plain_p)) << count;
             EXPECT_TRUE(same_bits(moved_n, plain_n)) << count;
         }
@@ -74,8 +74,8 @@ TEST(PoseKernel, WorksInPlaceAndWritesNothingElse)
     for_instruction_sets([&] {
         const Points before = random_points(30, 3);
         Points p = before, n = before, expected(30), unused(30);
-        move_vertices(matrix, 21, p.data(), n.data(), expected.data(), unused.data());
-        move_vertices(matrix, 21, p.data(), n.data(), p.data(), n.data());
+        move_vertices(matrix, 21, {p.data(), n.data()}, {expected.data(), unused.data()});
+        move_vertices(matrix, 21, {p.data(), n.data()}, {p.data(), n.data()});
         for (std::size_t k = 0; k < 30; ++k) EXPECT_EQ(p[k], k < 21 ? expected[k] : before[k]);
     });
 }
@@ -87,9 +87,9 @@ TEST(PoseKernel, TellsOfPositionsThatAreNotFiniteWhereverTheyAre)
         for (std::size_t k = 0; k < 35; ++k)
             for (const float bad : {std::numeric_limits<float>::infinity(), std::nanf(""), 3e38f}) {
                 Points p = random_points(35, 4), n = p;
-                EXPECT_TRUE(move_vertices(matrix, 35, p.data(), n.data(), p.data(), n.data()));
+                EXPECT_TRUE(move_vertices(matrix, 35, {p.data(), n.data()}, {p.data(), n.data()}));
                 p[k][int(k % 3)] = bad;
-                EXPECT_FALSE(move_vertices(matrix, 35, p.data(), n.data(), p.data(), n.data()));
+                EXPECT_FALSE(move_vertices(matrix, 35, {p.data(), n.data()}, {p.data(), n.data()}));
             }
     });
 }
@@ -99,7 +99,7 @@ TEST(PoseKernel, GivesZToNormalsWithoutDirection)
     const VertexMatrix matrix = vertex_matrix(glm::dmat4(1));
     for_instruction_sets([&] {
         Points p(3), n = {{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 3e38f, 0}};
-        move_vertices(matrix, 3, p.data(), n.data(), p.data(), n.data());
+        move_vertices(matrix, 3, {p.data(), n.data()}, {p.data(), n.data()});
         for (const glm::vec3& normal : n) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
     });
 }

@@ -32,17 +32,17 @@ std::string track_text(const std::string& name, const glm::dvec3& from, const gl
     return "k " + name + " { transl 4 " + at(0, from) + at(0, from) + at(1, to) + at(1, to) + "} ";
 }
 
-/// A part of n deforming vertices: vertex v is at (v, time, 0).
+/// An instance of n deforming vertices: vertex v is at (v, time, 0).
 Scene deforming(std::uint32_t n)
 {
     Scene scene;
     scene.nodes.resize(1);
     scene.materials.resize(1);
-    scene.parts.resize(1);
-    scene.parts[0].vertex_count = n;
+    scene.instances.resize(1);
+    scene.instances[0].vertex_count = n;
     scene.vertices = n;
-    scene.parts[0].deform = [](double time_s, std::size_t first, std::size_t last,
-                                glm::vec3* position, glm::vec3* normal) {
+    scene.instances[0].deform = [](double time_s, std::size_t first, std::size_t last,
+                                    glm::vec3* position, glm::vec3* normal) {
         for (std::size_t v = first; v < last; ++v) {
             position[v - first] = {float(v), float(time_s), 0};
             normal[v - first] = {0, 0, 1};
@@ -190,13 +190,13 @@ TEST(Pose, MovesSpotsByTheirTracksAndTurnsNoLight)
     for (const Light::Kind kind : {Light::Kind::spot, Light::Kind::directional}) {
         Light light = scene.lights[0];
         light.kind = kind;
-        light.position = {7, 8, 9};
+        light.position = {0, 8, 0};
         light.direction = {1, 2, 3};
         scene.lights.push_back(light);
     }
     const World world = posed(scene, 0.5);
-    EXPECT_EQ(world.lights[1].position, glm::dvec3(2, 0, 0));
-    EXPECT_EQ(world.lights[2].position, glm::dvec3(7, 8, 9));
+    EXPECT_EQ(world.lights[1].position, glm::dvec3(2, 8, 0));
+    EXPECT_EQ(world.lights[2].position, glm::dvec3(2, 8, 0));
     for (const std::size_t light : {1u, 2u})
         EXPECT_EQ(world.lights[light].direction, glm::dvec3(1, 2, 3));
 }
@@ -241,15 +241,15 @@ TEST(Pose, NamesThePartWithACoordinateThatIsNotFinite)
         scene_of(kTriangle + "xs 1e30 1e30 1e30 0 0 0 0 0 0 0{xs 1e30 1 1 0 0 0 0 0 0 0{\n" +
                  kTriangle + "}}");
     EXPECT_EQ(message_of<SceneError>([&] { posed(scene, 0); }),
-        "main.aff: part 1 'main.aff:3' has a coordinate that is not finite at 0.000000 s");
+        "main.aff: instance 1 'main.aff:3' has a coordinate that is not finite at 0.000000 s");
     Scene wave = deforming(10);
-    wave.parts[0].deform = [](double, std::size_t first, std::size_t last, glm::vec3* p,
-                               glm::vec3* n) {
+    wave.instances[0].deform = [](double, std::size_t first, std::size_t last, glm::vec3* p,
+                                   glm::vec3* n) {
         std::fill_n(p, last - first, glm::vec3(std::nanf("")));
         std::fill_n(n, last - first, glm::vec3(0, 0, 1));
     };
     EXPECT_EQ(message_of<SceneError>([&] { posed(wave, 0); }),
-        ": part 0 has a coordinate that is not finite at 0.000000 s");
+        ": instance 0 has a coordinate that is not finite at 0.000000 s");
 }
 
 TEST(Pose, RefusesTimesThatAreNotFinite)
@@ -270,17 +270,28 @@ TEST(Pose, RefusesScenesThatContradictThemselves)
         EXPECT_EQ(message_of<SceneError>([&] { posed(bad, 0); }), "main.aff: " + message);
     };
     expect([](Scene& s) { s.nodes[1].parent = 1; }, "node 1 comes before its parent 1");
-    expect([](Scene& s) { s.nodes[1].track = 1; }, "track 1 is out of range (1 exist)");
-    expect([](Scene& s) { s.lights[0].track = 7; }, "track 7 is out of range (1 exist)");
-    expect([](Scene& s) { s.camera_track = 2; }, "track 2 is out of range (1 exist)");
-    expect([](Scene& s) { s.parts[1].node = 5; }, "node 5 is out of range (2 exist)");
-    expect([](Scene& s) { s.parts[1].first_vertex = 4; },
-        "part 1 'main.aff:2' starts at vertex 4 instead of 3: parts must follow each other without "
+    expect([](Scene& s) { s.lights[0].node = 7; }, "node 7 is out of range (2 exist)");
+    expect([](Scene& s) { s.cameras.push_back({.node = 2}); }, "node 2 is out of range (2 exist)");
+    expect([](Scene& s) { s.clips.emplace_back().channels.emplace_back().node = 9; },
+        "node 9 is out of range (2 exist)");
+    expect([](Scene& s) { s.instances[0].shape = 0; }, "shape 0 is out of range (0 exist)");
+    expect(
+        [](Scene& s) {
+            s.shapes.resize(1);
+            s.shapes[0].targets.emplace_back().position = {{1, 2, 3}};
+            s.instances[0].shape = 0;
+        },
+        "instance 0 'main.aff:1' has morph targets or skin weights without all of its 3 vertices");
+    expect([](Scene& s) { s.instances[1].node = 5; }, "node 5 is out of range (2 exist)");
+    expect([](Scene& s) { s.instances[1].first_vertex = 4; },
+        "instance 1 'main.aff:2' starts at vertex 4 instead of 3: instances must follow each other "
+        "without "
         "gaps");
-    expect([](Scene& s) { s.normal.pop_back(); }, "part 1 'main.aff:2' lacks positions or normals");
-    expect([](Scene& s) { s.vertices = 7; }, "the parts have 6 vertices, the scene 7");
-    expect([](Scene& s) { s.parts[1].morph.resize(1); },
-        "part 1 'main.aff:2' has a shape without all of its 3 vertices");
+    expect([](Scene& s) { s.normal.pop_back(); },
+        "instance 1 'main.aff:2' lacks positions or normals");
+    expect([](Scene& s) { s.vertices = 7; }, "the instances have 6 vertices, the scene 7");
+    expect([](Scene& s) { s.instances[1].morph.resize(1); },
+        "instance 1 'main.aff:2' has a shape without all of its 3 vertices");
 }
 
 } // namespace

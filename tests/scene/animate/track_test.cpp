@@ -1,4 +1,6 @@
 // track_test.cpp - splines of places, scales and rotations.
+#include "scene/animate/evaluate_channel.h"
+#include "scene/animate/tcb_spline.h"
 #include "scene/animate/track.h"
 
 #include <glm/geometric.hpp>
@@ -11,12 +13,12 @@
 namespace firsthit {
 namespace {
 
-TrackKey key(double time_s, const glm::dvec3& value)
+TcbKey key(double time_s, const glm::dvec3& value)
 {
     return {.time_s = time_s, .value = glm::dvec4(value, 0)};
 }
 
-TrackKey turn(double time_s, const glm::dvec3& axis, double angle_deg)
+TcbKey turn(double time_s, const glm::dvec3& axis, double angle_deg)
 {
     const double half = glm::radians(angle_deg) / 2;
     return {.time_s = time_s,
@@ -34,11 +36,11 @@ void expect_near(const glm::dmat4& a, const glm::dmat4& b, double tolerance = 1e
         for (int r = 0; r < 4; ++r) EXPECT_NEAR(a[c][r], b[c][r], tolerance);
 }
 
-std::vector<TrackKey> random_keys(unsigned seed, bool rotations)
+std::vector<TcbKey> random_keys(unsigned seed, bool rotations)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> any(-1, 1);
-    std::vector<TrackKey> keys;
+    std::vector<TcbKey> keys;
     double time_s = 0;
     for (int k = 0; k < 12; ++k) {
         time_s += 0.1 + std::abs(any(random));
@@ -55,7 +57,7 @@ TEST(Track, PassesThroughItsKeysWhateverTheirShape)
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<TrackKey> keys = random_keys(seed, false);
+        const std::vector<TcbKey> keys = random_keys(seed, false);
         for (std::size_t k = 1; k + 1 < keys.size(); ++k)
             expect_near(evaluate_vector(keys, keys[k].time_s), glm::dvec3(keys[k].value));
     }
@@ -65,7 +67,7 @@ TEST(Track, ReachesItsKeysFromBothSides)
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<TrackKey> keys = random_keys(seed, false);
+        const std::vector<TcbKey> keys = random_keys(seed, false);
         for (std::size_t k = 1; k + 1 < keys.size(); ++k)
             for (const double side : {-1e-9, 1e-9})
                 expect_near(
@@ -77,7 +79,7 @@ TEST(Track, TurnsThroughItsKeysFromBothSides)
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<TrackKey> keys = random_keys(seed, true);
+        const std::vector<TcbKey> keys = random_keys(seed, true);
         for (std::size_t k = 1; k + 1 < keys.size(); ++k)
             for (const double side : {-1e-6, 0.0, 1e-6}) {
                 const glm::dquat q = evaluate_rotation(keys, keys[k].time_s + side);
@@ -90,7 +92,7 @@ TEST(Track, TurnsThroughItsKeysFromBothSides)
 
 TEST(Track, StandsStillBeforeTheSecondAndAfterTheLastButOneKey)
 {
-    const std::vector<TrackKey> keys = {
+    const std::vector<TcbKey> keys = {
         key(0, {9, 9, 9}), key(1, {1, 2, 3}), key(2, {4, 5, 6}), key(3, {9, 9, 9})};
     for (const double t : {-100.0, 0.0, 0.5, 1.0})
         EXPECT_EQ(evaluate_vector(keys, t), glm::dvec3(1, 2, 3));
@@ -101,7 +103,7 @@ TEST(Track, StandsStillBeforeTheSecondAndAfterTheLastButOneKey)
 TEST(Track, IsCatmullRomWithEqualSpacingAndNoShape)
 {
     // At the middle of a piece: (-a + 9 b + 9 c - d) / 16.
-    const std::vector<TrackKey> keys = {
+    const std::vector<TcbKey> keys = {
         key(0, {1, 0, 0}), key(1, {2, 1, 0}), key(2, {5, 0, 3}), key(3, {-4, 7, 0})};
     expect_near(evaluate_vector(keys, 1.5), (-glm::dvec3(1, 0, 0) + 9.0 * glm::dvec3(2, 1, 0) +
                                                 9.0 * glm::dvec3(5, 0, 3) - glm::dvec3(-4, 7, 0)) /
@@ -110,7 +112,7 @@ TEST(Track, IsCatmullRomWithEqualSpacingAndNoShape)
 
 TEST(Track, IsALineWhenKeysLieOnOneEvenlyOrNot)
 {
-    const std::vector<TrackKey> keys = {key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(1.5, {1.5, 0, 0}),
+    const std::vector<TcbKey> keys = {key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(1.5, {1.5, 0, 0}),
         key(4, {4, 0, 0}), key(4.5, {4.5, 0, 0})};
     for (double t = 1; t <= 4; t += 0.125) expect_near(evaluate_vector(keys, t), {t, 0, 0});
 }
@@ -118,9 +120,9 @@ TEST(Track, IsALineWhenKeysLieOnOneEvenlyOrNot)
 TEST(Track, GoesStraightWithFullTension)
 {
     // No tangents: from key to key along the line, slow at its ends.
-    std::vector<TrackKey> keys = {
+    std::vector<TcbKey> keys = {
         key(0, {7, 7, 7}), key(1, {0, 0, 0}), key(2, {2, 4, 6}), key(3, {-7, -7, -7})};
-    for (TrackKey& k : keys) k.tension = 1;
+    for (TcbKey& k : keys) k.tension = 1;
     expect_near(evaluate_vector(keys, 1.5), {1, 2, 3});
     expect_near(evaluate_vector(keys, 1.25), glm::dvec3(2, 4, 6) * (3 * 0.0625 - 2 * 0.015625));
 }
@@ -128,7 +130,7 @@ TEST(Track, GoesStraightWithFullTension)
 TEST(Track, HasItsOutgoingTangentFromContinuityAndBias)
 {
     // With (1 - T)(1 + C)(1 + B) / 2 and (1 - T)(1 - C)(1 - B) / 2 of the steps before and after.
-    std::vector<TrackKey> keys = {
+    std::vector<TcbKey> keys = {
         key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(2, {1, 3, 0}), key(3, {1, 3, 0})};
     keys[1].tension = 0.5;
     keys[1].continuity = 0.25;
@@ -143,7 +145,7 @@ TEST(Track, HasItsOutgoingTangentFromContinuityAndBias)
 TEST(Track, HasItsIncomingTangentFromContinuityAndBias)
 {
     // With (1 - T)(1 - C)(1 + B) / 2 and (1 - T)(1 + C)(1 - B) / 2.
-    std::vector<TrackKey> keys = {
+    std::vector<TcbKey> keys = {
         key(0, {0, 0, 0}), key(1, {0, 0, 0}), key(2, {1, 0, 0}), key(3, {1, 3, 0})};
     keys[2].tension = 0.5;
     keys[2].continuity = 0.25;
@@ -157,7 +159,7 @@ TEST(Track, HasItsIncomingTangentFromContinuityAndBias)
 
 TEST(Track, SurvivesKeysAtTheSameTime)
 {
-    const std::vector<TrackKey> keys = {key(0, {1, 0, 0}), key(0, {1, 0, 0}), key(1, {2, 0, 0}),
+    const std::vector<TcbKey> keys = {key(0, {1, 0, 0}), key(0, {1, 0, 0}), key(1, {2, 0, 0}),
         key(1, {5, 0, 0}), key(2, {6, 0, 0}), key(2, {6, 0, 0})};
     for (double t = -1; t <= 3; t += 0.125)
         EXPECT_TRUE(std::isfinite(evaluate_vector(keys, t).x)) << t;
@@ -167,16 +169,16 @@ TEST(Track, SurvivesKeysAtTheSameTime)
 
 TEST(Track, HoldsWhereAllKeysAreAtTheSameTime)
 {
-    const std::vector<TrackKey> keys(4, key(1, {1, 2, 3}));
+    const std::vector<TcbKey> keys(4, key(1, {1, 2, 3}));
     for (const double t : {0.0, 1.0, 2.0}) EXPECT_EQ(evaluate_vector(keys, t), glm::dvec3(1, 2, 3));
 }
 
 TEST(Track, TakesTheFirstPieceThatEndsLaterWhereTimeGoesBack)
 {
     // 0 1 2 [back to 1.5] 3 4: times in (1, 2) belong to the piece before the step back.
-    std::vector<TrackKey> keys = {key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(2, {2, 0, 0}),
+    std::vector<TcbKey> keys = {key(0, {0, 0, 0}), key(1, {1, 0, 0}), key(2, {2, 0, 0}),
         key(1.5, {50, 0, 0}), key(3, {60, 0, 0}), key(4, {70, 0, 0})};
-    for (TrackKey& k : keys) k.tension = 1;
+    for (TcbKey& k : keys) k.tension = 1;
     EXPECT_LE(evaluate_vector(keys, 1.75).x, 2);
     EXPECT_GE(evaluate_vector(keys, 2.25).x, 50);
     for (double t = 0; t <= 4; t += 0.0625)
@@ -185,7 +187,7 @@ TEST(Track, TakesTheFirstPieceThatEndsLaterWhereTimeGoesBack)
 
 TEST(Track, HoldsTheSecondKeyWhereThereAreFewerThanFour)
 {
-    std::vector<TrackKey> keys = {key(0, {1, 1, 1})};
+    std::vector<TcbKey> keys = {key(0, {1, 1, 1})};
     EXPECT_EQ(evaluate_vector(keys, 5), glm::dvec3(1));
     keys.push_back(key(1, {2, 2, 2}));
     EXPECT_EQ(evaluate_vector(keys, 0), glm::dvec3(2));
@@ -196,7 +198,7 @@ TEST(Track, HoldsTheSecondKeyWhereThereAreFewerThanFour)
 
 TEST(Track, TurnsEvenlyAboutOneAxis)
 {
-    std::vector<TrackKey> keys;
+    std::vector<TcbKey> keys;
     for (int k = 0; k < 6; ++k) keys.push_back(turn(k, {0, 1, 0}, 40 * k));
     for (double t = 1; t <= 4; t += 0.25) {
         const glm::dquat q = evaluate_rotation(keys, t);
@@ -207,7 +209,7 @@ TEST(Track, TurnsEvenlyAboutOneAxis)
 TEST(Track, TurnsTheShortWay)
 {
     // The same rotations, with the quaternion of one key negated.
-    std::vector<TrackKey> keys, negated;
+    std::vector<TcbKey> keys, negated;
     for (int k = 0; k < 7; ++k) keys.push_back(turn(k, {1, 1, 0}, 20 * k));
     negated = keys;
     negated[2].value = -negated[2].value;
@@ -221,13 +223,14 @@ TEST(Track, TurnsTheShortWay)
 
 TEST(Track, TurnsManyTimesInStepsOfNinetyDegrees)
 {
-    std::vector<TrackKey> keys;
+    std::vector<TcbKey> keys;
     for (int k = 0; k < 100; ++k) keys.push_back(turn(k, {0, 0, 1}, 90 * k));
     Track track;
     track.rotation = keys;
     for (const double t : {1.0, 37.0, 50.5, 90.25}) {
         const double angle = glm::radians(90 * t);
-        expect_near(glm::dvec3(evaluate(track, t)[0]), {std::cos(angle), std::sin(angle), 0}, 1e-6);
+        expect_near(glm::dvec3(matrix_of(transform_at(track, t))[0]),
+            {std::cos(angle), std::sin(angle), 0}, 1e-6);
     }
 }
 
@@ -240,37 +243,46 @@ TEST(Track, MakesTranslationTimesRotationTimesScale)
     const glm::dmat4 t = glm::translate(glm::dmat4(1), glm::dvec3(1, 2, 3));
     const glm::dmat4 r = glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 0, 1));
     const glm::dmat4 s = glm::scale(glm::dmat4(1), glm::dvec3(2, 3, 4));
-    expect_near(evaluate(track, 0), t * r * s);
+    expect_near(matrix_of(transform_at(track, 0)), t * r * s);
     track.rotation.clear();
-    expect_near(evaluate(track, 0), t * s);
-    EXPECT_EQ(evaluate(Track(), 0), glm::dmat4(1));
+    expect_near(matrix_of(transform_at(track, 0)), t * s);
+    EXPECT_EQ(matrix_of(transform_at(Track(), 0)), glm::dmat4(1));
 }
 
 TEST(Track, IsVisibleInSteps)
 {
     Track track;
-    EXPECT_TRUE(is_visible(track, 0));
     track.visibility = {{1, false}, {2, true}, {2, false}, {3, true}};
-    EXPECT_TRUE(is_visible(track, 0.99));
-    EXPECT_FALSE(is_visible(track, 1));
-    EXPECT_FALSE(is_visible(track, 2.5)) << "the later of two steps at one time";
-    EXPECT_TRUE(is_visible(track, 3));
+    Clip clip;
+    add_channels(track, 7, clip);
+    ASSERT_EQ(clip.channels.size(), 1u);
+    EXPECT_EQ(clip.channels[0].node, 7u);
+    const auto visible = [&](double t) {
+        double value = -1;
+        evaluate(clip.channels[0], t, {&value, 1});
+        return value;
+    };
+    EXPECT_EQ(visible(0.99), 1);
+    EXPECT_EQ(visible(1), 0);
+    EXPECT_EQ(visible(2.5), 0) << "the later of two steps at one time";
+    EXPECT_EQ(visible(3), 1);
 }
 
-TEST(Track, MovesACameraAndLeavesItWhatItLacks)
+TEST(Track, BecomesOneChannelForEachPropertyThatItMoves)
 {
-    const Camera still{.eye = {1, 2, 3}, .direction = {1, 0, 0}, .up = {0, 0, 1}, .fov_y_rad = 1};
     Track track;
-    EXPECT_EQ(moved_camera(still, track, 0).eye, still.eye);
     track.translation.assign(4, key(0, {7, 8, 9}));
-    EXPECT_EQ(moved_camera(still, track, 0).eye, glm::dvec3(7, 8, 9));
-    EXPECT_EQ(moved_camera(still, track, 0).direction, still.direction);
-    // A quarter turn to the left: from -z to -x.
-    track.rotation.assign(4, turn(0, {0, 1, 0}, 90));
-    const Camera moved = moved_camera(still, track, 0);
-    expect_near(moved.direction, {-1, 0, 0});
-    expect_near(moved.up, {0, 1, 0});
-    EXPECT_EQ(moved.fov_y_rad, 1);
+    track.scale.assign(4, key(0, {1, 2, 3}));
+    Clip clip;
+    add_channels(track, 3, clip);
+    ASSERT_EQ(clip.channels.size(), 2u);
+    EXPECT_EQ(clip.channels[0].path, Channel::Path::translation);
+    EXPECT_EQ(clip.channels[1].path, Channel::Path::scale);
+    for (const Channel& channel : clip.channels) {
+        EXPECT_EQ(channel.node, 3u);
+        EXPECT_EQ(channel.interpolation, Channel::Interpolation::tcb);
+        EXPECT_EQ(channel.tcb.size(), 4u);
+    }
 }
 
 } // namespace

@@ -9,13 +9,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
 namespace firsthit {
 namespace {
 
-Scene square()
+Scene square_scene()
 {
     return scene_from_arrays({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}},
         std::vector<glm::vec3>(4, {0, 0, 1}), std::vector<glm::vec2>(4, {0, 0}));
@@ -25,14 +26,14 @@ Scene square()
 template <class Damage>
 std::string message_after(const Damage& damage)
 {
-    Scene scene = square();
+    Scene scene = square_scene();
     damage(scene);
     return message_of<SceneError>([&] { check_scene(scene); });
 }
 
 TEST(CheckScene, AcceptsASoundScene)
 {
-    EXPECT_NO_THROW(check_scene(square()));
+    EXPECT_NO_THROW(check_scene(square_scene()));
     EXPECT_NO_THROW(check_scene(Scene{}));
 }
 
@@ -66,14 +67,14 @@ TEST(CheckScene, NamesATriangleWhoseVertexIsOutOfRange)
 
 TEST(CheckScene, RefusesPartsWithGapsOrBeyondTheEnd)
 {
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].first_triangle = 1; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].triangle_count = 1; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].triangle_count = 3; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].vertex_count = 5; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].first_vertex = 1; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].node = 1; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].material = 1; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.parts[0].morph.resize(1); }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].first_triangle = 1; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].triangle_count = 1; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].triangle_count = 3; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].vertex_count = 5; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].first_vertex = 1; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].node = 1; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].material = 1; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].morph.resize(1); }), "no error");
 }
 
 TEST(CheckScene, RefusesArraysOfOtherLengths)
@@ -90,10 +91,11 @@ TEST(CheckScene, RefusesParentsThatComeLaterAndNumbersOutOfRange)
     EXPECT_NE(
         message_after([](Scene& s) { s.nodes[0].parent = 0; }).find("parent 0"), std::string::npos);
     EXPECT_NE(message_after([](Scene& s) { s.nodes[0].parent = -2; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.nodes[0].track = 0; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.nodes[0].local[3][0] = std::nan(""); }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.camera_track = 0; }), "no error");
-    EXPECT_NE(message_after([](Scene& s) { s.lights[0].track = 3; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.cameras.push_back({.node = 1}); }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.lights[0].node = 3; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].shape = 0; }), "no error");
+    EXPECT_NE(message_after([](Scene& s) { s.instances[0].skin = 0; }), "no error");
     EXPECT_NE(message_after([](Scene& s) { s.lights[0].color.g = std::nanf(""); }), "no error");
     EXPECT_NE(message_after([](Scene& s) { std::get<Phong>(s.materials[0].model).texture = 0; }),
         "no error");
@@ -101,6 +103,21 @@ TEST(CheckScene, RefusesParentsThatComeLaterAndNumbersOutOfRange)
         std::get<Phong>(s.materials[0].model).diffuse.b = std::nanf("");
     }),
         "no error");
+}
+
+TEST(CheckScene, NamesAMaterialWhoseOpacityIsNotSound)
+{
+    const auto names_material = [](const auto& damage) {
+        const std::string message = message_after([&](Scene& s) { damage(s.materials[0]); });
+        return message.find("material 0") != std::string::npos;
+    };
+    EXPECT_FALSE(names_material([](Material& m) { m.alpha = AlphaMode::mask; }));
+    EXPECT_TRUE(names_material([](Material& m) { m.opacity = std::nanf(""); }));
+    EXPECT_TRUE(names_material([](Material& m) { m.alpha_cutoff = std::nanf(""); }));
+    EXPECT_TRUE(names_material([](Material& m) { m.opacity_texture.texture = 0; }));
+    EXPECT_TRUE(names_material([](Material& m) { m.opacity_texture.uv_set = 2; }));
+    EXPECT_TRUE(
+        names_material([](Material& m) { m.opacity_texture.transform[2].y = std::nanf(""); }));
 }
 
 TEST(CheckScene, NamesALightAndWhatItAccepts)
@@ -149,15 +166,91 @@ TEST(CheckLight, RefusesEveryValueOutOfRangeThatItsKindAsksFor)
     }
 }
 
-TEST(CheckScene, RefusesATrackKeyThatIsNotFinite)
+/// A scene whose clip "walk" has one channel that is sound before `change`.
+std::string message_of_channel(const std::function<void(Channel&)>& change)
 {
-    const std::string message = message_after([](Scene& s) {
-        s.tracks.resize(1);
-        s.tracks[0].name = "walk";
-        s.tracks[0].rotation.resize(4);
-        s.tracks[0].rotation[2].value.y = std::nan("");
+    return message_after([&](Scene& s) {
+        s.nodes[0].transform.emplace();
+        Clip& clip = s.clips.emplace_back();
+        clip.name = "walk";
+        Channel& channel = clip.channels.emplace_back();
+        channel.path = Channel::Path::rotation;
+        channel.time_s = {0, 1};
+        channel.value = {0, 0, 0, 1, 0, 0, 0, 1};
+        change(channel);
     });
-    EXPECT_EQ(message, "arrays: track 'walk': rotation key 2 is not finite");
+}
+
+TEST(CheckScene, NamesTheChannelThatIsNotSound)
+{
+    const std::string what = "arrays: clip 'walk': rotation of node 0 'arrays'";
+    EXPECT_EQ(message_of_channel([](Channel&) {}), "no error");
+    EXPECT_EQ(message_of_channel([](Channel& c) {
+        c.interpolation = Channel::Interpolation::tcb;
+        c.tcb.resize(4);
+        c.tcb[2].value.y = std::nan("");
+    }),
+        what + " key 2 is not finite");
+    EXPECT_EQ(message_of_channel([](Channel& c) { c.value.pop_back(); }),
+        what + ": 7 numbers for 2 keys");
+    EXPECT_EQ(
+        message_of_channel([](Channel& c) { c.interpolation = Channel::Interpolation::cubic; }),
+        what + ": 8 numbers for 2 keys");
+    EXPECT_EQ(message_of_channel([](Channel& c) {
+        c.time_s = {1, 0};
+    }),
+        what + ": the time of key 1 is before that of the one before");
+    EXPECT_EQ(message_of_channel([](Channel& c) { c.value[3] = std::nan(""); }),
+        what + ": a value is not finite");
+    EXPECT_EQ(message_of_channel([](Channel& c) { c.time_s.clear(); }), what + ": no key");
+    EXPECT_EQ(message_of_channel([](Channel& c) { c.node = 1; }),
+        "arrays: clip 'walk': channel 0: node 1 is out of range (1)");
+    EXPECT_EQ(message_after([](Scene& s) {
+        s.clips.push_back({.name = "walk",
+            .channels = {
+                {.path = Channel::Path::scale, .time_s = {0}, .value = {1, 1, 1}, .tcb = {}}}});
+    }),
+        "arrays: clip 'walk': scale of node 0 'arrays': the node has a matrix and no transform "
+        "that "
+        "could change");
+    EXPECT_EQ(message_after([](Scene& s) {
+        s.nodes[0].transform.emplace();
+        Channel channel{.path = Channel::Path::scale, .time_s = {0}, .value = {1, 1, 1}, .tcb = {}};
+        s.clips.push_back({.name = "walk", .channels = {channel, channel}});
+    }),
+        "arrays: clip 'walk': scale of node 0 'arrays': a second channel");
+}
+
+TEST(CheckScene, NamesSkinsAndWeightsThatAreNotSound)
+{
+    const auto skinned = [](const std::function<void(Scene&)>& change) {
+        return message_after([&](Scene& s) {
+            s.skins.push_back({"bones", {0}, {glm::dmat4(1)}});
+            s.shapes.resize(1);
+            SkinWeights& skin = s.shapes[0].skin;
+            skin.influences = 1;
+            skin.joint.assign(s.vertices, 0);
+            skin.weight.assign(s.vertices, 1.0f);
+            s.instances[0].shape = 0;
+            s.instances[0].skin = 0;
+            change(s);
+        });
+    };
+    EXPECT_EQ(skinned([](Scene&) {}), "no error");
+    EXPECT_EQ(skinned([](Scene& s) { s.shapes[0].skin.joint[1] = 1; }),
+        "arrays: instance 0 'arrays': vertex 1: joint 1 is out of range (1)");
+    EXPECT_NE(skinned([](Scene& s) { s.shapes[0].skin.weight.pop_back(); }), "no error");
+    EXPECT_NE(skinned([](Scene& s) { s.shapes[0].skin.weight[0] = std::nanf(""); }), "no error");
+    EXPECT_EQ(skinned([](Scene& s) { s.skins[0].joints[0] = 5; }),
+        "arrays: skin 0 'bones': joint 0: node 5 is out of range (1)");
+    EXPECT_EQ(skinned([](Scene& s) { s.skins[0].inverse_bind.clear(); }),
+        "arrays: skin 0 'bones' has 0 inverse bind matrices for 1 joints");
+    EXPECT_NE(
+        skinned([](Scene& s) { s.skins[0].inverse_bind[0][3][1] = std::nan(""); }), "no error");
+    EXPECT_NE(skinned([](Scene& s) {
+        s.shapes[0].targets.push_back({"smile", {{1, 2, 3}}, {}, {}});
+    }),
+        "no error");
 }
 
 } // namespace

@@ -123,7 +123,8 @@ void expect_refused(const std::string& bytes, const std::string& message)
 
 TEST(Texture, RefusesWhatIsNoPicture)
 {
-    const std::string refused = "t: not a PNG, JPEG or binary PPM picture, or a damaged one (";
+    const std::string refused =
+        "t: not a PNG, JPEG, WebP or binary PPM picture, or a damaged one (";
     expect_refused("", refused);
     expect_refused("hello", refused);
     expect_refused("P3 1 1 255 1 2 3", refused);

@@ -76,18 +76,18 @@ FaceSamples collected(const PencilMesh& mesh, const HitTile& hits)
     spare.reserve(points);
     std::vector<IrregularSample> samples(chunk_room(points));
     std::vector<std::uint64_t> reached(hits.blocks());
-    FacePatches parts;
+    FacePatches patches;
     find_receivers(mesh, hits, receivers);
-    collect_hits({hits, receivers.runs(), mesh}, 0, samples, reached, parts, spare);
+    collect_hits({hits, receivers.runs(), mesh}, {samples, 0}, reached, patches, spare);
     FaceSamples found;
-    for (std::size_t face = 0; face < parts.size(); ++face) {
-        const SamplePatch& part = parts[face];
-        for (std::size_t k = 0; k < part.range.count; ++k) {
-            const IrregularSample& s = samples[part.range.first + k];
+    for (std::size_t face = 0; face < patches.size(); ++face) {
+        const SamplePatch& patch = patches[face];
+        for (std::size_t k = 0; k < patch.range.count; ++k) {
+            const IrregularSample& s = samples[patch.range.first + k];
             EXPECT_TRUE(found.emplace(s.id, with_bits(int(face), s.x, s.y, s.w)).second);
-            EXPECT_TRUE(s.x >= part.bounds.x0 && s.x <= part.bounds.x1 && s.y >= part.bounds.y0 &&
-                        s.y <= part.bounds.y1);
-            EXPECT_TRUE(!(s.w < part.bounds.farthest_w) && !(s.w > part.bounds.nearest_w));
+            EXPECT_TRUE(s.x >= patch.bounds.x0 && s.x <= patch.bounds.x1 &&
+                        s.y >= patch.bounds.y0 && s.y <= patch.bounds.y1);
+            EXPECT_TRUE(!(s.w < patch.bounds.farthest_w) && !(s.w > patch.bounds.nearest_w));
             EXPECT_TRUE(reached[s.id / kBlockSamples] >> s.id % kBlockSamples & 1);
         }
     }

@@ -20,7 +20,7 @@ inline std::vector<std::uint8_t> shadows(const World& world, const PencilSpace& 
     PointSet set;
     make_point_set(points.point, points.receiver, true, set, tasks);
     std::vector<std::uint8_t> shadowed(points.point.size());
-    test_points(world, space, set, memory, tasks, shadowed);
+    test_points({world, space}, set, memory, tasks, shadowed);
     return shadowed;
 }
 

@@ -97,7 +97,7 @@ void expect_brute(const Case& made, const Light& light, const std::string& what)
         std::vector<std::uint8_t> shadowed(made.points.size());
         PointSet set;
         make_point_set(made.points, made.receivers, threads > 1, set, tasks);
-        test_points(world, space, set, memory, tasks, shadowed);
+        test_points({world, space}, set, memory, tasks, shadowed);
         std::size_t wrong = 0;
         for (std::size_t k = 0; k < shadowed.size(); ++k) wrong += shadowed[k] != expected[k];
         EXPECT_EQ(wrong, 0u) << what << ", " << threads << " threads"

@@ -16,17 +16,17 @@
 namespace firsthit::test {
 namespace {
 
-/// Divides the scene into scene parts of `triangles` triangles each.
+/// Divides the scene into scene instances of `triangles` triangles each.
 void divide(Scene& scene, std::uint32_t triangles)
 {
-    scene.parts[0].triangle_count = 0;
+    scene.instances[0].triangle_count = 0;
     const auto count = std::uint32_t(scene.index.size());
     for (std::uint32_t first = 0; first < count; first += triangles) {
-        Part part;
-        part.first_vertex = std::uint32_t(scene.vertices);
-        part.first_triangle = first;
-        part.triangle_count = std::min(triangles, count - first);
-        scene.parts.push_back(part);
+        Instance instance;
+        instance.first_vertex = std::uint32_t(scene.vertices);
+        instance.first_triangle = first;
+        instance.triangle_count = std::min(triangles, count - first);
+        scene.instances.push_back(instance);
     }
 }
 
@@ -260,18 +260,20 @@ TEST(TileOcclusion, IgnoresATriangleThatTheHitsLieOn)
 
 TEST(TileOcclusion, TriesTrianglesOfScenePartsWithFewTriangles)
 {
-    const auto occluders = [](std::uint32_t parts, std::uint32_t triangles, std::uint32_t more) {
+    const auto occluders = [](std::uint32_t instances, std::uint32_t triangles,
+                               std::uint32_t more) {
         Scene scene;
-        for (std::uint32_t k = 0; k < parts; ++k) {
-            Part part;
-            part.first_triangle = k * triangles;
-            part.triangle_count = triangles;
-            scene.parts.push_back(part);
+        scene.materials.resize(1);
+        for (std::uint32_t k = 0; k < instances; ++k) {
+            Instance instance;
+            instance.first_triangle = k * triangles;
+            instance.triangle_count = triangles;
+            scene.instances.push_back(instance);
         }
-        Part last;
-        last.first_triangle = parts * triangles;
+        Instance last;
+        last.first_triangle = instances * triangles;
         last.triangle_count = more;
-        scene.parts.push_back(last);
+        scene.instances.push_back(last);
         World world;
         world.scene = borrow(scene);
         TileOcclusion tile_occlusion;
@@ -296,7 +298,7 @@ TEST(TileOcclusion, IsTheSameForEveryInstructionSet)
         [&] { EXPECT_EQ(check(made.world.world, made.view).hidden, expected.hidden); });
 }
 
-/// A frame of the roofed floor. `culling`: the roof is a scene part of its own, so that it is an
+/// A frame of the roofed floor. `culling`: the roof is a scene instance of its own, so that it is an
 /// occluder.
 struct RoofedFrame {
     Film film;

@@ -3,8 +3,9 @@
 
 #include "hits/resolve_tile.h"
 #include "render/check_settings.h"
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
 #include "visibility/bin/project.h"
+#include "visibility/bin/view_memory.h"
 #include "visibility/raster/raster_tile.h"
 
 #include <firsthit/scene.h>
@@ -17,7 +18,7 @@ namespace firsthit::test {
 /// Keeps the hits of all tiles at once. For small pictures and for measurements.
 struct HitPicture {
     struct Tile {
-        ItemTile items{};
+        TileItems items;
         HitMemory memory;
         HitTile hits;
     };
@@ -27,23 +28,19 @@ struct HitPicture {
     HitPicture(const World& world, const View& wanted, Tasks& tasks, int tile_size = 64)
     {
         const View filled = checked(wanted);
-        view.pencil = pencil_of(filled, filled.region, 1);
-        view.tile_size = tile_size;
-        view.tiles_x = (view.pencil.width + tile_size - 1) / tile_size;
-        view.tiles_y = (view.pencil.height + tile_size - 1) / tile_size;
-        const int longest = std::max(view.pencil.width, view.pencil.height);
-        view.tile_of.resize(std::size_t(longest));
-        for (int k = 0; k < longest; ++k)
-            view.tile_of[std::size_t(k)] = std::uint8_t(k / tile_size);
-        project_vertices(world.position, view, tasks);
-        bin_triangles(world.scene->index, view, tasks);
+        lay_out(pencil_of(filled, filled.region, 1), tile_size, view);
+        take_triangles(*world.scene, view);
+        project_vertices(world.position, view.pencil, view, tasks);
+        bin_triangles(view, view, view, tasks);
+        const auto scratch = std::make_unique<RasterScratch>();
+        resize(*scratch, tile_size);
         for (int k = 0; k < view.tiles(); ++k) {
             tiles.push_back(std::make_unique<Tile>());
             Tile& tile = *tiles.back();
             resize(tile.items, tile_size);
             resize(tile.memory, tile_size, 1);
-            raster_tile(view, k, tile.items);
-            tile.hits = resolve_tile(view, tile.items, tile.memory.of(0));
+            raster_tile(view, view.rays(k), bin_of(view, std::size_t(k)), tile.items, *scratch);
+            tile.hits = resolve_tile(view, view.pencil, tile.items, tile.memory.of(0));
         }
     }
 

@@ -4,7 +4,8 @@
 #include "cpu/adversarial_scenes.h"
 #include "instruction_sets.h"
 #include "items.h"
-#include "visibility/bin/bins.h"
+#include "visibility/bin/bin_triangles.h"
+#include "visibility/bin/view_memory.h"
 
 #include <algorithm>
 #include <vector>
@@ -20,22 +21,18 @@ std::vector<float> depths_of(const World& world, TinyTriangles tiny)
     Tasks tasks(1);
     const View view = checked(straight_view(kSize, kSize, kSize));
     ViewMemory memory;
-    memory.pencil = pencil_of(view, view.region, 1);
-    memory.tile_size = kTileSide;
-    memory.tiles_x = memory.tiles_y = kSize / kTileSide;
-    memory.tile_of.resize(kSize);
-    for (std::size_t k = 0; k < kSize; ++k) memory.tile_of[k] = std::uint8_t(k / kTileSide);
-    project_vertices(world.position, memory, tasks, CornerSpace::flat);
-    bin_triangles(world.scene->index, memory, tasks, tiny);
+    lay_out(pencil_of(view, view.region, 1), kTileSide, memory);
+    take_triangles(*world.scene, memory);
+    project_vertices(world.position, memory.pencil, memory, tasks, CornerSpace::flat);
+    bin_triangles(memory, memory, memory, tasks, tiny);
     DepthTile tile;
     resize(tile, kTileSide);
     std::vector<float> w(std::size_t(kSize) * kSize);
     for (int number = 0; number < memory.tiles(); ++number) {
-        raster_depth(memory, number, tile);
+        raster_depth(memory, memory.rays(number), depth_bin_of(memory, std::size_t(number)), tile);
         for (int y = 0; y < kTileSide; ++y)
             for (int x = 0; x < kTileSide; ++x)
-                w[std::size_t((number / memory.tiles_x * kTileSide + y) * kSize +
-                              number % memory.tiles_x * kTileSide + x)] =
+                w[std::size_t((memory.first_y(number) + y) * kSize + memory.first_x(number) + x)] =
                     tile.w[std::size_t(tile_offset(x, y, kTileSide))];
     }
     return w;

@@ -1,9 +1,10 @@
-// certify.geom - a polygon that holds all samples that the triangle may hit: see
+// certify.geom - makes a polygon that contains all samples whose rays may hit the triangle: see
 // gl/items/certified_items.h.
 //
-// The polygon is cut out of the picture by the triangle's three planes through the eye, each moved
-// outwards. No corner is projected for it, so a triangle that reaches behind the eye is no special
-// case (Olano and Greer 1997); in front of the eye the corners' box is cut first.
+// The picture is clipped by the three planes through the eye and an edge of the triangle, each
+// moved outwards. This projects no corners, so a triangle that reaches behind the eye is no special
+// case (Olano and Greer 1997). A triangle in front of the eye is first restricted to the box of its
+// projected corners.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 7) out;
@@ -16,14 +17,15 @@ flat out vec3 corner_c;
 flat out uint triangle;
 
 uniform vec2 first;  // direction of the first sample
-uniform vec2 last;   // of the last
-uniform vec2 scale;  // of directions, to -1 .. 1
+uniform vec2 last;   // direction of the last sample
+uniform vec2 scale;  // clip = scale * direction + shift, see SampleToClip
 uniform vec2 shift;
 
-// Samples: more than the rasteriser's steps (1/256) and what is rounded on the way to them.
+// How far the planes are moved outwards, in samples. More than the rasteriser's grid (1/256) and
+// the rounding errors on the way to it.
 const float kOutset = 1.0 / 16.0;
-const float kRounding = 1.0 / 4194304.0; // 2^-22: a few roundings
-const float kFlushed = 1e-36;            // more than drivers make 0, many times
+const float kRounding = 1.0 / 4194304.0; // 2^-22: a few rounding errors
+const float kFlushed = 1e-36;            // far above the largest number that drivers flush to 0
 
 const int kMost = 7;
 vec2 polygon[kMost];
@@ -32,10 +34,10 @@ int count;
 void cut(vec3 n, vec3 error, float side)
 {
     float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
-    if (!(size > 1e-30)) return; // nothing is cut off by what is mostly rounding
+    if (!(size > 1e-30)) return; // the plane is mostly rounding error: do not clip
     n /= size;
     error /= size;
-    // Inside: side * n . (x, y, 1) >= -room, for all that the rounded n might mean.
+    // Inside is side * n . (x, y, 1) >= -room. `room` covers the error of n.
     vec2 farthest = max(abs(first), abs(last)) + 1.0;
     float room = kOutset * (abs(n.x) + abs(n.y)) + dot(error, vec3(farthest, 1.0)) +
                  4.0 * kRounding * (abs(n.x) * farthest.x + abs(n.y) * farthest.y + abs(n.z));
@@ -53,27 +55,27 @@ void cut(vec3 n, vec3 error, float side)
     count = number;
 }
 
-/// Greatest coordinate of any axis.
+/// The largest absolute coordinate.
 float reach(vec3 p)
 {
     return max(abs(p.x), max(abs(p.y), abs(p.z)));
 }
 
-/// The power of two that takes a reach of 1e-20 to 1e30 to [1, 2).
+/// The power of two by which a reach from 1e-20 to 1e30 becomes a number in [1, 2).
 float scale_of(float reached)
 {
     return uintBitsToFloat((254u - (floatBitsToUint(reached) >> 23)) << 23);
 }
 
-/// The direction of a x b, as (a + b) x (b - a), and how far rounding may have moved it. Scaled
-/// before, so that nothing overflows, and what is flushed to 0 is known.
+/// The direction of a x b, computed as (a + b) x (b - a), and a bound of its rounding error. a and
+/// b are scaled first, so that products do not overflow and the effect of flushing to 0 is bounded.
 vec3 edge_plane(vec3 a, vec3 b, out vec3 error)
 {
     float to_one = scale_of(max(reach(a), reach(b)));
     a *= to_one;
     b *= to_one;
-    vec3 sum = a + b, way = b - a;
-    vec3 left = sum.yzx * way.zxy, right = sum.zxy * way.yzx;
+    vec3 sum = a + b, edge = b - a;
+    vec3 left = sum.yzx * edge.zxy, right = sum.zxy * edge.yzx;
     error = kRounding * (abs(left) + abs(right)) + kFlushed * (to_one + 1.0);
     return left - right;
 }
@@ -92,7 +94,7 @@ void main()
 {
     vec3 a = corner[0], b = corner[1], c = corner[2];
     float reach_a = reach(a), reach_b = reach(b), reach_c = reach(c);
-    // No triangle: kFarthest in exact/hit.h.
+    // Such triangles are invisible: kFarthest in exact/hit.h.
     if (!(reach_a < 1e30 && reach_b < 1e30 && reach_c < 1e30)) return;
     float nearest_z = min(a.z, min(b.z, c.z));
     if (max(a.z, max(b.z, c.z)) < 0.0) return;
@@ -111,12 +113,12 @@ void main()
     polygon[3] = vec2(low.x, high.y);
     count = 4;
 
-    // A few samples are sooner asked than cut; what is too small is not cut either.
+    // Testing a few samples is faster than clipping. Very small triangles are not clipped either.
     if ((high.x - low.x) * (high.y - low.y) > 9.0 && min(reach_a, min(reach_b, reach_c)) > 1e-20) {
         vec3 error_ab, error_bc, error_ca;
         vec3 ab = edge_plane(a, b, error_ab), bc = edge_plane(b, c, error_bc),
              ca = edge_plane(c, a, error_ca);
-        // Without a certain side nothing is cut off.
+        // Clip only if the sign of the volume is certain.
         float to_one = scale_of(reach_c);
         vec3 far = c * to_one;
         float volume = dot(ab, far);
@@ -130,7 +132,7 @@ void main()
             if (count < 3) return;
         }
     }
-    // A strip, from one end of the polygon to the other.
+    // Emit the convex polygon as a strip that zigzags from one end to the other.
     for (int k = 0; k < count; ++k) {
         int at = (k & 1) == 0 ? k / 2 : count - 1 - k / 2;
         emit(polygon[at], a, b, c);

@@ -1,6 +1,7 @@
-// certify.vert - hands a triangle's corner on, as it is in eye space: see gl/items/certified_items.h.
+// certify.vert - passes a corner in eye space on to certify.geom: see gl/items/certified_items.h.
+#include "gl/bindings.glsl"
 
-layout(location = 0) in vec3 eye;
+layout(location = kEyeAttribute) in vec3 eye;
 
 out vec3 corner;
 

@@ -1,12 +1,12 @@
-// count_samples.comp - how many samples were hit, missed and interpolated. An invocation is a block
-// of 8 x 8.
+// count_samples.comp - counts the samples that were hit, missed and interpolated. Each invocation
+// handles a block of 8 x 8 samples.
 #include "frame.glsl"
 #include "find_hit.glsl"
 
 layout(local_size_x = 32) in;
 
-layout(binding = 3) uniform sampler2D colors; // for their alpha: see shade_hits.frag
-layout(std430, binding = 0) buffer Counts { uint counts[3]; }; // hits, missed, interpolated
+layout(binding = kColorsUnit) uniform sampler2D colors; // for their alpha: see shade_hits.frag
+layout(std430, binding = kResultBlock) buffer Counts { uint counts[3]; }; // hits, missed, interpolated
 
 ivec2 size()
 {
@@ -17,7 +17,7 @@ ivec2 size()
 #endif
 }
 
-/// 1 in the place of what the sample counts as.
+/// 1 in the component (hits, missed, interpolated) that the sample counts for.
 uvec3 count_of(ivec2 at)
 {
 #if FIRSTHIT_COUNT_HITS

@@ -1,22 +1,23 @@
-// hit_interval.glsl - what float can say for sure of a ray and a triangle.
+// hit_interval.glsl - tests a ray against a triangle in float with bounds of all errors.
 //
-// The corners are taken as exact, as in exact/hit.h; so is the ray (x, y, 1). Every error is bounded
-// from above: kUnit is four times what one rounding of a float may be, and fused operations, which
-// GLSL allows, have fewer roundings.
+// The corners and the ray (x, y, 1) are taken as exact, as in exact/hit.h. All error bounds are
+// upper bounds: kUnit is four times the largest relative rounding error of float. GLSL allows fused
+// operations; these round less often.
 //
-//     A = a.xy - (x, y) a.z                  a corner beside the ray, |error| <= A_error
+//     A = a.xy - (x, y) a.z                  a corner relative to the ray, |error| <= A_error
 //     edge(a, b, d) = A.x B.y - A.y B.x      (Woop et al. 2013), error by the product rule
 //     t = (e_bc a.z + e_ca b.z + e_ab c.z) / (e_bc + e_ca + e_ab)
 //
-// If the edges' errors are E_k, t is off by at most sum(E_k) (greatest z - least z) / (|sum(e_k)| -
-// sum(E_k)); and a hit lies between the least and the greatest z.
+// If the errors of the edges are at most E_k, the error of t is at most
+// sum(E_k) (greatest z - least z) / (|sum(e_k)| - sum(E_k)). A hit also lies between the least and
+// the greatest z.
 
 const float kUnit = 1.0 / 4194304.0; // 2^-22
-const float kTiny = 1e-36;           // what is below may be flushed to 0
+const float kTiny = 1e-36;           // drivers may flush smaller numbers to 0
 
 struct HitInterval {
     bool perhaps;       // false: certainly no hit
-    bool surely;        // a hit
+    bool surely;        // true: certainly a hit
     float least, most;  // if there is a hit, its t is in [least, most]
 };
 
@@ -33,7 +34,7 @@ Corner beside_ray(vec3 p, vec2 ray)
     return corner;
 }
 
-/// x: the edge, y: how far it may be off.
+/// x: the value of the edge function, y: bound of its error.
 vec2 edge_between(Corner a, Corner b)
 {
     float left = a.at.x * b.at.y, right = a.at.y * b.at.x;
@@ -43,7 +44,7 @@ vec2 edge_between(Corner a, Corner b)
     return vec2(left - right, error * 1.01 + kTiny);
 }
 
-/// 1, -1, or 0 where it is not certain; what overflows is not.
+/// The sign of an edge, 1 or -1; 0 if it is not certain, also after an overflow.
 int certain_sign(vec2 edge)
 {
     return edge.x > edge.y ? 1 : edge.x < -edge.y ? -1 : 0;
@@ -65,12 +66,12 @@ HitInterval hit_interval(vec3 a, vec3 b, vec3 c, vec2 ray)
     hit.surely = false;
     if (greatest == least && greatest != 0) {
         float sum = abs((ab.x + bc.x) + ca.x), error = ((ab.y + bc.y) + ca.y) * 1.01;
-        // Quotients first: products of edges or errors and depths might underflow.
+        // Divide first, because products of edges or errors with depths could underflow.
         float t = abs(bc.x) / sum * a.z + abs(ca.x) / sum * b.z + abs(ab.x) / sum * c.z;
         float off = error / (sum - error) * (hit.most - hit.least) +
                     8.0 * kUnit * max(abs(hit.least), abs(hit.most)) + kTiny;
         off *= 1.01;
-        // What overflows or is no number changes nothing.
+        // After an overflow, and for NaN, the bounds stay as they are.
         if (sum > 2.0 * error && sum < 1e37) {
             if (t - off > hit.least) hit.least = t - off;
             if (t + off < hit.most) hit.most = t + off;

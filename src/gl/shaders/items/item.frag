@@ -1,4 +1,5 @@
-// item.frag - the triangle's number: see gl/items/item_pass.h. COLORS 1: as bytes, the lowest in red.
+// item.frag - writes the number of the triangle: see gl/items/item_pass.h. COLORS 1: as bytes of a
+// colour, with the lowest byte in red.
 
 #if COLORS
 layout(location = 0) out vec4 color;

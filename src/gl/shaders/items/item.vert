@@ -1,10 +1,11 @@
-// item.vert - a triangle's corner from eye space to the picture: see gl/items/item_pass.h.
+// item.vert - transforms a corner from eye space to clip space: see gl/items/item_pass.h.
+#include "gl/bindings.glsl"
 
-layout(location = 0) in vec3 eye;
+layout(location = kEyeAttribute) in vec3 eye;
 
-uniform vec2 scale; // of eye space, to -1 .. 1 after the division by z
+uniform vec2 scale; // clip = scale * (x, y) / z + shift, see SampleToClip
 uniform vec2 shift;
-uniform vec2 depth; // depth = x / z + y
+uniform vec2 depth; // depth value = depth.x / z + depth.y
 
 void main()
 {

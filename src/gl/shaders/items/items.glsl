@@ -1,12 +1,12 @@
 // items.glsl - the item buffer: which triangle does a sample see? See gl/items/item_pass.h.
+// kNoItem, no triangle, is that of firsthit/scene.h: gl/device/program.cpp defines it for all shaders.
 
-const uint kNoItem = 0xFFFFFFFFu; // background
-
-// FIRSTHIT_ITEM_CHANNELS: 1: integers; 3, 4: the paper's colours, red the lowest byte.
+// FIRSTHIT_ITEM_CHANNELS 1: items are integers. 3 or 4: items are colours as in the paper, with the
+// lowest byte in red.
 #if FIRSTHIT_ITEM_CHANNELS == 1
-layout(binding = 0) uniform usampler2D items;
+layout(binding = kItemsUnit) uniform usampler2D items;
 #else
-layout(binding = 0) uniform sampler2D items;
+layout(binding = kItemsUnit) uniform sampler2D items;
 #endif
 
 uint item_at(ivec2 sample_at)
@@ -15,7 +15,7 @@ uint item_at(ivec2 sample_at)
     return texelFetch(items, sample_at, 0).x;
 #else
     uint bits = packUnorm4x8(texelFetch(items, sample_at, 0));
-    // Without alpha, which is then 1, none has all bits as well.
+    // Without an alpha channel, alpha reads as 1, so the background still has all bits set.
     return FIRSTHIT_ITEM_CHANNELS == 4 || bits == kNoItem ? bits : bits & 0xFFFFFFu;
 #endif
 }

@@ -1,4 +1,4 @@
-// scatter.frag - writes the sample's item: see gl/items/certified_gpu_items.h.
+// scatter.frag - writes the given item of a sample: see gl/items/certified_gpu_items.h.
 
 flat in uint given;
 layout(location = 0) out uint item;

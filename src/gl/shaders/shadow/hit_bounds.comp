@@ -1,6 +1,5 @@
-// hit_bounds.comp - the part of each light's projection that visible hits fill: the rectangles of
-// src/shadow/hit_bounds.h. An invocation is a block of 8 x 8
-// samples.
+// hit_bounds.comp - finds the bounds of the visible hits on the faces of each light, as
+// shadow/map/hit_bounds.h. Each invocation handles a block of 8 x 8 samples.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "intersect.glsl"
@@ -10,11 +9,12 @@
 
 layout(local_size_x = 32) in;
 
-/// (lights, 6 faces): least x and y, as the greatest of their opposite; greatest x and y; hits.
+/// (lights, kFaces, kNumbers): complements of the keys of the least x and y, so that all are
+/// maxima; keys of the greatest x and y; number of hits.
 const int kNumbers = 5;
-layout(std430, binding = 0) coherent buffer Bounds { uint bounds[]; };
+layout(std430, binding = kResultBlock) coherent buffer Bounds { uint bounds[]; };
 
-/// Ordered as the floats are, above 0: so 0 is below all of them.
+/// An integer for each float, in the same order. 0 is less than the key of any number.
 uint key_of(float x)
 {
     uint bits = floatBitsToUint(x);
@@ -23,7 +23,7 @@ uint key_of(float x)
 
 void raise(int at, uint key)
 {
-    if (key > bounds[at]) atomicMax(bounds[at], key); // mostly it is not
+    if (key > bounds[at]) atomicMax(bounds[at], key); // usually it is not greater
 }
 
 void add_rectangle(int light_id, int face, vec2 low, vec2 high, uint hits)
@@ -48,7 +48,7 @@ int face_of(LightData light, vec3 p)
     return light.cube != 0 ? face_of(p) : 4;
 }
 
-/// Where a face sees a point.
+/// The projection of a point onto a face.
 vec2 on_face(LightData light, int face, vec3 p)
 {
     if (light.kind == kDirectionalLight) return p.xy;
@@ -62,8 +62,9 @@ struct Block {
     uint hits;
 };
 
-/// The hits lie in the hull of the block's four corner rays at its nearest and at its farthest
-/// depth: where these eight points are on one face, they bound it. False where they are not.
+/// The hits lie in the convex hull of eight points: the block's four corner rays at its nearest and
+/// at its farthest depth. If these points all lie on one face, adds them as bounds of the hits.
+/// Otherwise adds nothing and returns false.
 bool add_hull(int light_id, LightData light, Block block)
 {
     bool parallel = light.kind == kDirectionalLight;

@@ -1,20 +1,22 @@
 // lights.glsl - the lights and their shadow maps.
 #include "gl/layouts.glsl"
 
-// FIRSTHIT_FEW_LIGHTS: they fit into uniform blocks, which are faster.
+// FIRSTHIT_FEW_LIGHTS is the size of the uniform block, which is faster, or 0: then the lights are
+// in a storage block.
 #if FIRSTHIT_FEW_LIGHTS
-layout(std140, binding = 1) uniform Lights { LightData light_data[FIRSTHIT_FEW_LIGHTS]; };
+layout(std140, binding = kLightsBlock) uniform Lights { LightData light_data[FIRSTHIT_FEW_LIGHTS]; };
 #else
-layout(std430, binding = 1) readonly buffer Lights { LightData light_data[]; };
+layout(std430, binding = kLightsBlock) readonly buffer Lights { LightData light_data[]; };
 #endif
 
-/// Where the ray of eye direction (X, Y, 1) is at depth t, in a light's space.
+/// The point at depth t of the ray with eye-space direction (X, Y, 1), in the space that `to` leads
+/// to.
 vec3 transform_ray(Rays to, vec3 eye_d, float t)
 {
     return to.eye + t * ((eye_d.x * to.right + eye_d.y * to.down) + to.forward);
 }
 
-/// The face of a light that a point of its axes lies on.
+/// The face that a point lies on. p is in the axes of the light.
 int face_of(vec3 p)
 {
     vec3 size = abs(p);
@@ -23,7 +25,7 @@ int face_of(vec3 p)
     return p.x < 0.0 ? 1 : 0;
 }
 
-/// Whether a point of a spot's axes is inside its cone.
+/// Whether a point is inside a spot's cone. p is in the axes of the spot.
 bool in_cone(vec3 p, float tan2_cone)
 {
     float x = p.x / p.z;

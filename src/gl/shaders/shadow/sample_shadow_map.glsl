@@ -1,17 +1,18 @@
-// sample_shadow_map.glsl - how much of a light reaches a point, by its maps: src/shadow/sample_shadow_map.cpp.
+// sample_shadow_map.glsl - the visibility of a light by its shadow maps, as
+// shadow/map/sample_shadow_map.cpp.
 //
 // source  Robert and Schoepke 2006, section 4.2.1; Reeves, Salesin and Cook 1987 (N x N)
 
 #if FIRSTHIT_FEW_LIGHTS
-layout(std140, binding = 2) uniform Maps { MapData map_data[kFaces * FIRSTHIT_FEW_LIGHTS]; };
+layout(std140, binding = kMapsBlock) uniform Maps { MapData map_data[kFaces * FIRSTHIT_FEW_LIGHTS]; };
 #else
-layout(std430, binding = 2) readonly buffer Maps { MapData map_data[]; };
+layout(std430, binding = kMapsBlock) readonly buffer Maps { MapData map_data[]; };
 #endif
-layout(binding = 13) uniform samplerBuffer map_depth;
+layout(binding = kMapDepthUnit) uniform samplerBuffer map_depth;
 
-const float kRounding = 9.5367431640625e-7; // 2^-20
+const float kRounding = 9.5367431640625e-7; // 2^-20, the same as in shadow/map/sample_shadow_map.cpp
 
-/// Steepness as slope_bias takes it; -1 where the light is not on the eye's side of the plane.
+/// The receiver slope that slope_bias needs; -1 if the light is not on the eye's side of the plane.
 float receiver_slope_of(LightData light, SurfaceHit seen)
 {
     vec3 n = seen.surface.geometric;
@@ -19,11 +20,12 @@ float receiver_slope_of(LightData light, SurfaceHit seen)
     float size = abs(dot(n, light.frame_x)) + abs(dot(n, light.frame_y)) + abs(along);
     float height =
         light.kind == kDirectionalLight ? along : dot(n, seen.corner - light.position);
-    // The normal looks towards the eye: the light's way has to be against it.
+    // The normal points towards the eye, so the light must shine against it.
     return height < 0.0 ? min(size / -height, 1e30) : -1.0;
 }
 
-/// Where texel (x, y) is in a map: quads of 4 x 4, see shadow/map/store_depth.h.
+/// Index of texel (x, y) of a map. Texels are stored in quads of 4 x 4, see
+/// shadow/map/store_depth.h.
 int texel_offset(MapData map, int x, int y)
 {
     int quads = (map.width + 3) / 4;
@@ -33,11 +35,11 @@ int texel_offset(MapData map, int x, int y)
 
 int clamped(float x, int most)
 {
-    return int(max(x < float(most) ? x : float(most), 0.0)); // no number: most
+    return int(max(x < float(most) ? x : float(most), 0.0)); // NaN gives `most`
 }
 
-/// The share of the texels around the point that show nothing before it.
-float lit_share(MapData map, bool parallel, vec3 eye_d, float t, float receiver_slope)
+/// The fraction of the texels around the point that show no triangle in front of it.
+float visible_fraction(MapData map, bool parallel, vec3 eye_d, float t, float receiver_slope)
 {
     vec3 p = transform_ray(map.to_map, eye_d, t);
     float depth = p.z;
@@ -56,16 +58,17 @@ float lit_share(MapData map, bool parallel, vec3 eye_d, float t, float receiver_
         for (int i = 0; i < n; ++i) {
             int x = clamped(first.x + float(i), map.width - 1);
             float nearest = texelFetch(map_depth, texel_offset(map, x, y)).x;
-            lit += is_shadowed(nearest, depth, epsilon) ? 0.0 : 1.0;
+            lit += is_shadowed_by_texel(nearest, depth, epsilon) ? 0.0 : 1.0;
         }
     }
     lit /= float(n * n);
-    // Without a shadow ray.
+    // Points without a shadow ray (exact/shadow_ray.h) are lit.
     bool near = abs(depth) < 1e30 && (parallel || depth > 0.0);
     return near ? lit : 1.0;
 }
 
-/// light_id  its faces' maps are map_data[6 light_id] and on
+/// The visibility of a light from a hit, 0 to 1.
+/// light_id  number of the light; the maps of its faces start at map_data[kFaces * light_id]
 float sample_shadow_map(int light_id, LightData light, vec3 eye_d, float t, SurfaceHit seen)
 {
     float receiver_slope = receiver_slope_of(light, seen);
@@ -75,5 +78,5 @@ float sample_shadow_map(int light_id, LightData light, vec3 eye_d, float t, Surf
     int face = light.only_face >= 0 ? light.only_face : face_of(p);
     MapData map = map_data[kFaces * light_id + face];
     if (map.width == 0) return 1.0;
-    return lit_share(map, light.kind == kDirectionalLight, eye_d, t, receiver_slope);
+    return visible_fraction(map, light.kind == kDirectionalLight, eye_d, t, receiver_slope);
 }

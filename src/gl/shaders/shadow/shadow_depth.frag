@@ -1,3 +1,3 @@
-// shadow_depth.frag - nothing but depth.
+// shadow_depth.frag - writes no colour, only depth.
 
 void main() {}

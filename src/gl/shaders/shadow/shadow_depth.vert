@@ -1,15 +1,15 @@
-// shadow_depth.vert - the triangles as a face of a light sees them.
+// shadow_depth.vert - projects a vertex onto a light's face.
 #include "scene.glsl"
 
-layout(location = 0) uniform mat3 map_from_world; // (texel x, texel y, depth); the first two times
+layout(location = kDrawMatrix) uniform mat3 map_from_world; // (texel x, texel y, depth); the first two times
                                                   // the depth unless `parallel`
-layout(location = 1) uniform vec3 origin; // world space
-layout(location = 2) uniform vec3 offset; // added after the matrix
-layout(location = 3) uniform vec2 size; // of the map, texels
-layout(location = 4) uniform float range; // parallel: the greatest depth; else the least
-layout(location = 5) uniform bool parallel;
+layout(location = kDrawOrigin) uniform vec3 origin; // world space
+layout(location = kDrawOffset) uniform vec3 offset; // added after the multiplication with the matrix
+layout(location = kDrawSize) uniform vec2 size; // of the map, texels
+layout(location = kDrawRange) uniform float range; // parallel: the greatest depth; else the least
+layout(location = kDrawParallel) uniform bool parallel;
 
-/// Reversed: 1 is nearest to the light. Row 0 of the map is GL's row 0.
+/// Depths are reversed: 1 is nearest to the light. Row 0 of the map is OpenGL's row 0.
 void main()
 {
     vec3 p = map_from_world * (world_position(uint(gl_VertexID)) - origin) + offset;

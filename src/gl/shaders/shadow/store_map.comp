@@ -1,14 +1,15 @@
-// store_map.comp - from a depth buffer to the texels of a shadow map: depth along the map's axis,
-// +inf where nothing is, in quads of 4 x 4 (shadow/map/store_depth.h).
+// store_map.comp - converts a depth buffer to the texels of a shadow map: depths along the map's
+// axis, +inf where there is no triangle, in quads of 4 x 4 (shadow/map/store_depth.h).
+#include "gl/bindings.glsl"
 
 layout(local_size_x = 4, local_size_y = 4) in;
 
-layout(binding = 4) uniform sampler2D reversed_depth; // see shadow_depth.vert
-layout(location = 0) uniform ivec2 size; // texels
-layout(location = 1) uniform uint first; // of the map's texels
-layout(location = 2) uniform float range; // see shadow_depth.vert
-layout(location = 3) uniform bool parallel;
-layout(std430, binding = 0) writeonly buffer MapDepth { float map_depth[]; };
+layout(binding = kDepthUnit) uniform sampler2D reversed_depth; // see shadow_depth.vert
+layout(location = kStoreSize) uniform ivec2 size; // texels
+layout(location = kStoreFirst) uniform uint first; // index of the map's first texel
+layout(location = kStoreRange) uniform float range; // see shadow_depth.vert
+layout(location = kStoreParallel) uniform bool parallel;
+layout(std430, binding = kResultBlock) writeonly buffer MapDepth { float map_depth[]; };
 
 void main()
 {

@@ -1,0 +1,80 @@
+// frame_outputs.cpp - where the frames of `firsthit render` go: files for each, or a film.
+#include "outputs/frame_outputs.h"
+
+#include "common/output.h"
+#include "common/verbosity.h"
+
+#include <firsthit/film_data.h>
+#include <firsthit/picture.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace firsthit::cli {
+
+FrameOutputs::FrameOutputs(const RenderOptions& options, const Frames& frames)
+    : options_(options),
+      frames_(frames)
+{
+    if (is_film(options)) hold_.emplace();
+}
+
+bool FrameOutputs::are_there(std::size_t frame) const
+{
+    const std::vector<std::string> names = outputs(options_);
+    return !names.empty() && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        std::error_code ignored;
+        return std::filesystem::is_regular_file(
+            file_name(options_, name, frames_.number[frame]), ignored);
+    });
+}
+
+void FrameOutputs::write(const Film& film, std::size_t frame)
+{
+    const HoldInterrupts hold;
+    const int number = frames_.number[frame];
+    const auto name_of = [&](const std::string& text) {
+        std::string name = file_name(options_, text, number);
+        print_detail(fmt::format("writes {}", name));
+        return name;
+    };
+    if (is_film(options_))
+        add_to_film(film);
+    else if (!options_.output.empty())
+        write_picture(film, name_of(options_.output),
+            picture_options(options_.picture, options_.environment.tone, options_.output));
+    std::vector<std::string> warnings;
+    for (const AovOutput& aov : options_.aovs) {
+        const std::string name = name_of(aov.path);
+        const std::uint64_t far =
+            write_plane(film, aov.aov, name, plane_format(options_.picture, aov.path));
+        if (far > 0)
+            warnings.push_back(
+                fmt::format("{}: {} pixels are farther than 65.535 units, the most that "
+                            "16 bits of thousandths say, and have 65535: .exr and .npy "
+                            "have no such limit",
+                    name, far));
+    }
+    print_warnings(warnings);
+    const DataOptions& data = options_.data;
+    if (!data.exr.empty() && data.planes)
+        write_planes(film, data.planes->color, data.planes->aovs, name_of(data.exr));
+}
+
+void FrameOutputs::finish()
+{
+    if (!film_) return;
+    film_->finish();
+    film_.reset();
+    hold_.reset();
+}
+
+void FrameOutputs::add_to_film(const Film& film)
+{
+    if (!film_) film_.emplace(options_.output, FilmSize{film.width, film.height, frames_.fps});
+    film_->add(srgb_pixels(film, options_.environment.tone, options_.picture.dither));
+}
+
+} // namespace firsthit::cli

@@ -1,0 +1,76 @@
+// cutouts.cpp - triangles that are there only where their opacity says so.
+#include "exact/cutouts.h"
+
+#include "exact/opacity.h"
+
+#include <algorithm>
+
+namespace firsthit {
+namespace {
+
+/// The least opacity at which a surface of the material is there.
+float cutoff_of(const Material& material, float blend_cutoff)
+{
+    return material.alpha == AlphaMode::blend ? blend_cutoff : material.alpha_cutoff;
+}
+
+/// Whether a surface of the material is there at each of its points.
+bool is_solid_everywhere(const Scene& scene, const Material& material, float blend_cutoff)
+{
+    if (material.alpha == AlphaMode::opaque) return true;
+    const bool varies = !scene.color.empty() || material.opacity_texture.texture >= 0;
+    return !varies && material.opacity >= cutoff_of(material, blend_cutoff);
+}
+
+} // namespace
+
+bool has_cutouts(const Scene& scene)
+{
+    return std::any_of(
+        scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+            return instance.triangle_count > 0 &&
+                   !is_solid_everywhere(scene, scene.materials[instance.material], kShadowOpacity);
+        });
+}
+
+bool has_blended_triangles(const Scene& scene)
+{
+    return std::any_of(
+        scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+            return instance.triangle_count > 0 &&
+                   scene.materials[instance.material].alpha == AlphaMode::blend;
+        });
+}
+
+void Cutouts::find(const Scene& scene, float blend_cutoff)
+{
+    scene_ = &scene;
+    blend_cutoff_ = blend_cutoff;
+    word_.clear();
+    for (const Instance& instance : scene.instances) {
+        if (instance.triangle_count == 0 ||
+            is_solid_everywhere(scene, scene.materials[instance.material], blend_cutoff))
+            continue;
+        if (word_.empty()) word_.resize((scene.index.size() + 63) / 64);
+        const std::size_t last = std::size_t(instance.first_triangle) + instance.triangle_count;
+        for (std::size_t t = instance.first_triangle; t < last; ++t)
+            word_[t / 64] |= std::uint64_t(1) << t % 64;
+    }
+}
+
+bool Cutouts::is_solid(std::uint32_t triangle, const Corners& corners, const glm::vec3& d) const
+{
+    const auto [u, v] = rounded_barycentrics(corners, d);
+    const Material& material =
+        scene_->materials[scene_->instances[scene_->owner[triangle]].material];
+    return opacity(*scene_, triangle, u, v) >= cutoff_of(material, blend_cutoff_);
+}
+
+bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, std::uint32_t triangle,
+    const Corners& c, const glm::vec3& d, Effort& effort)
+{
+    return is_shadowed(space, c, d, effort) &&
+           cutouts.is_there(triangle, pencil_corners(space, c), pencil_ray(space, d));
+}
+
+} // namespace firsthit
