@@ -66,11 +66,12 @@ bool Cutouts::is_solid(std::uint32_t triangle, const Corners& corners, const glm
     return opacity(*scene_, triangle, u, v) >= cutoff_of(material, blend_cutoff_);
 }
 
-bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, std::uint32_t triangle,
-    const Corners& c, const glm::vec3& d, Effort& effort)
+bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, const OccluderTriangle& occluder,
+    const glm::vec3& d, Effort& effort)
 {
+    const Corners& c = occluder.corners;
     return is_shadowed(space, c, d, effort) &&
-           cutouts.is_there(triangle, pencil_corners(space, c), pencil_ray(space, d));
+           cutouts.is_there(occluder.triangle, pencil_corners(space, c), pencil_ray(space, d));
 }
 
 } // namespace firsthit

@@ -70,10 +70,14 @@ class Cutouts {
     std::vector<std::uint64_t> word_; // (T) a bit for each triangle; empty: none
 };
 
+/// A triangle between a light and a point.
+struct OccluderTriangle {
+    std::uint32_t triangle; // its id
+    Corners corners;        // in the light's space
+};
+
 /// is_shadowed of shadow_ray.h, where the triangle is there.
-///
-/// c  its corners in the light's space
-bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, std::uint32_t triangle,
-    const Corners& c, const glm::vec3& d, Effort& effort);
+bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, const OccluderTriangle& occluder,
+    const glm::vec3& d, Effort& effort);
 
 } // namespace firsthit

@@ -24,7 +24,7 @@ struct LightTriangles {
     bool shadows(const PencilSpace& space, std::size_t t, const glm::vec3& d, Effort& effort) const
     {
         const Corners c = (*this)[t];
-        return cutouts ? is_shadowed(space, *cutouts, std::uint32_t(t), c, d, effort)
+        return cutouts ? is_shadowed(space, *cutouts, {std::uint32_t(t), c}, d, effort)
                        : is_shadowed(space, c, d, effort);
     }
 

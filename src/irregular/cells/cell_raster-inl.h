@@ -42,7 +42,7 @@ HWY_NOINLINE inline std::uint32_t decide_group_exactly(const CellTest& cell, std
         if (k >= kernel.first[group + 1]) break;
         ++kernel.counts.uncertain;
         const glm::vec3 d = cell.points.in_pencil_space(cell.samples[k].id);
-        if (is_shadowed(mesh.space, mesh.cutouts, triangle, corners, d, kernel.counts.effort))
+        if (is_shadowed(mesh.space, mesh.cutouts, {triangle, corners}, d, kernel.counts.effort))
             shadowed |= open & (~open + 1);
     }
     return shadowed;

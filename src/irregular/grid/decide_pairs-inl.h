@@ -167,8 +167,8 @@ HWY_NOINLINE inline void decide_pairs(GridTest& test, GridPairs& pairs)
                 continue;
             }
             ++test.counts.uncertain;
-            if (is_shadowed(test.mesh.space, test.mesh.cutouts, triangle,
-                    test.mesh.corners(triangle), test.points.in_pencil_space(id),
+            if (is_shadowed(test.mesh.space, test.mesh.cutouts,
+                    {triangle, test.mesh.corners(triangle)}, test.points.in_pencil_space(id),
                     test.counts.effort))
                 mark(test, id);
         }

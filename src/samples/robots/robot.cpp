@@ -3,6 +3,8 @@
 // Frames: x to the robot's left, y up, z forward; each limb hangs down from its joint.
 #include "samples/robots/robot.h"
 
+#include "samples/robots/axes.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
@@ -12,8 +14,6 @@ namespace firsthit {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-const glm::dvec3 kX(1, 0, 0);
-const glm::dvec3 kZ(0, 0, 1);
 
 /// A tube from the joint down: a shell with a groove around its middle and rounded ends.
 void add_limb(Shape& shape, double top, double bottom, double radius, double end_radius)

@@ -1,6 +1,8 @@
 // walk.cpp - how a robot walks: tracks for its joints.
 #include "samples/robots/walk.h"
 
+#include "samples/robots/axes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,10 +15,6 @@ constexpr double kStance = 0.6;      // part of a cycle that a foot is on the gr
 constexpr double kLift = 0.11;       // m, of a foot in the air
 constexpr double kBob = 0.018;       // m, of the hips
 constexpr double kKeysPerCycle = 16; // keeps the feet within millimetres between keys
-
-const glm::dvec3 kX(1, 0, 0);
-const glm::dvec3 kY(0, 1, 0);
-const glm::dvec3 kZ(0, 0, 1);
 
 double fraction(double x)
 {

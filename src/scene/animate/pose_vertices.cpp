@@ -171,7 +171,8 @@ bool pose_range(const Range& range, World& world)
     }
     bool finite;
     if (is_skinned(range))
-        finite = skin_vertices(skin_of(range, world), count, from, from_normal, position, normal);
+        finite =
+            skin_vertices(skin_of(range, world), count, {from, from_normal}, {position, normal});
     else
         finite = move_vertices(
             vertex_matrix(world_from_instance), count, {from, from_normal}, {position, normal});

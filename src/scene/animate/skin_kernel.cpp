@@ -118,19 +118,41 @@ HWY_INLINE Vectors unit_or(const Vectors& v, Float other_x, Float other_z)
         hn::IfThenElse(good, hn::Mul(s.z, inv_length), other_z)};
 }
 
+/// Vertices as numbers, (V, 3).
+struct FloatVertices {
+    const float* position;
+    const float* normal;
+
+    FloatVertices from(std::size_t vertex) const
+    {
+        return {position + 3 * vertex, normal + 3 * vertex};
+    }
+};
+
+/// Where moved vertices go, as numbers, (V, 3).
+struct MovedFloats {
+    float* position;
+    float* normal;
+
+    MovedFloats from(std::size_t vertex) const
+    {
+        return {position + 3 * vertex, normal + 3 * vertex};
+    }
+};
+
 /// returns  zero in each lane whose position is finite, otherwise not a number
-HWY_INLINE Float move_group(const Blended& blended, const float* position, const float* normal,
-    float* moved_position, float* moved_normal)
+HWY_INLINE Float move_group(
+    const Blended& blended, const FloatVertices& from, const MovedFloats& to)
 {
     const Floats d;
     const Vectors c0 = column_of(blended, 0), c1 = column_of(blended, 1);
     const Vectors c2 = column_of(blended, 2), c3 = column_of(blended, 3);
     Vectors p, n;
-    hn::LoadInterleaved3(d, position, p.x, p.y, p.z);
-    hn::LoadInterleaved3(d, normal, n.x, n.y, n.z);
+    hn::LoadInterleaved3(d, from.position, p.x, p.y, p.z);
+    hn::LoadInterleaved3(d, from.normal, n.x, n.y, n.z);
     Vectors w = combine(c0, c1, c2, p);
     w = {hn::Add(w.x, c3.x), hn::Add(w.y, c3.y), hn::Add(w.z, c3.z)};
-    hn::StoreInterleaved3(w.x, w.y, w.z, d, moved_position);
+    hn::StoreInterleaved3(w.x, w.y, w.z, d, to.position);
 
     // The cofactors are the inverse transpose times the determinant, whose sign alone matters.
     const Vectors a = cross(c1, c2);
@@ -140,13 +162,13 @@ HWY_INLINE Float move_group(const Blended& blended, const float* position, const
     m = {hn::IfThenElse(mirrors, hn::Neg(m.x), m.x), hn::IfThenElse(mirrors, hn::Neg(m.y), m.y),
         hn::IfThenElse(mirrors, hn::Neg(m.z), m.z)};
     m = unit_or(m, hn::Zero(d), hn::Set(d, 1.0f));
-    hn::StoreInterleaved3(m.x, m.y, m.z, d, moved_normal);
+    hn::StoreInterleaved3(m.x, m.y, m.z, d, to.normal);
     return hn::Add(hn::Add(hn::Sub(w.x, w.x), hn::Sub(w.y, w.y)), hn::Sub(w.z, w.z));
 }
 
 template <int kInfluences>
-bool skin_with(const SkinnedVertices& skin, std::size_t count, const float* position,
-    const float* normal, float* moved_position, float* moved_normal)
+bool skin_with(const SkinnedVertices& skin, std::size_t count, const FloatVertices& from,
+    const MovedFloats& to)
 {
     const Floats d;
     constexpr std::size_t lanes = hn::MaxLanes(d);
@@ -155,31 +177,31 @@ bool skin_with(const SkinnedVertices& skin, std::size_t count, const float* posi
     std::size_t k = 0;
     for (; k + lanes <= count; k += lanes) {
         blend<kInfluences>(skin, k, lanes, blended);
-        bad = hn::Add(bad, move_group(blended, position + 3 * k, normal + 3 * k,
-                               moved_position + 3 * k, moved_normal + 3 * k));
+        bad = hn::Add(bad, move_group(blended, from.from(k), to.from(k)));
     }
     if (k < count) {
         // The rest goes through buffers whose unused lanes are finite.
         const std::size_t rest = 3 * (count - k);
         float p[3 * kMaxLanes] = {};
         float n[3 * kMaxLanes] = {};
-        std::copy_n(position + 3 * k, rest, p);
-        std::copy_n(normal + 3 * k, rest, n);
+        std::copy_n(from.position + 3 * k, rest, p);
+        std::copy_n(from.normal + 3 * k, rest, n);
         blended = {};
         blend<kInfluences>(skin, k, count - k, blended);
-        bad = hn::Add(bad, move_group(blended, p, n, p, n));
-        std::copy_n(p, rest, moved_position + 3 * k);
-        std::copy_n(n, rest, moved_normal + 3 * k);
+        bad = hn::Add(bad, move_group(blended, {p, n}, {p, n}));
+        std::copy_n(p, rest, to.position + 3 * k);
+        std::copy_n(n, rest, to.normal + 3 * k);
     }
     return hn::AllTrue(d, hn::Eq(bad, hn::Zero(d)));
 }
 
-bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const float* position,
-    const float* normal, float* moved_position, float* moved_normal)
+bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const ObjectVertices& from,
+    const MovedVertices& to)
 {
-    if (skin.influences == 4)
-        return skin_with<4>(skin, count, position, normal, moved_position, moved_normal);
-    return skin_with<kAny>(skin, count, position, normal, moved_position, moved_normal);
+    const FloatVertices numbers{&from.position->x, &from.normal->x};
+    const MovedFloats moved{&to.position->x, &to.normal->x};
+    if (skin.influences == 4) return skin_with<4>(skin, count, numbers, moved);
+    return skin_with<kAny>(skin, count, numbers, moved);
 }
 
 void skin_tangents(
@@ -232,12 +254,11 @@ HWY_EXPORT(add_weighted);
 
 static_assert(sizeof(glm::vec3) == 3 * sizeof(float) && sizeof(glm::vec4) == 4 * sizeof(float));
 
-bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const glm::vec3* position,
-    const glm::vec3* normal, glm::vec3* moved_position, glm::vec3* moved_normal)
+bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const ObjectVertices& from,
+    const MovedVertices& to)
 {
     if (count == 0) return true; // the arrays may be null
-    return HWY_DYNAMIC_DISPATCH(skin_vertices)(
-        skin, count, &position->x, &normal->x, &moved_position->x, &moved_normal->x);
+    return HWY_DYNAMIC_DISPATCH(skin_vertices)(skin, count, from, to);
 }
 
 void skin_tangents(const SkinnedVertices& skin, std::size_t count, const glm::vec4* tangent,

@@ -1,7 +1,8 @@
 // skin_kernel.h - moves vertices by the joints of a skin, and adds morph targets to them.
 #pragma once
 
-#include <glm/vec3.hpp>
+#include "scene/animate/pose_kernel.h"
+
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -24,8 +25,8 @@ struct SkinnedVertices {
 ///
 /// returns  whether all positions are finite
 /// source   glTF 2.0 specification, 3.7.3.3 "Skinned Mesh Attributes"
-bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const glm::vec3* position,
-    const glm::vec3* normal, glm::vec3* moved_position, glm::vec3* moved_normal);
+bool skin_vertices(const SkinnedVertices& skin, std::size_t count, const ObjectVertices& from,
+    const MovedVertices& to);
 
 /// Turns tangents by the same matrices, unit; w changes its sign where the matrix mirrors.
 void skin_tangents(const SkinnedVertices& skin, std::size_t count, const glm::vec4* tangent,

@@ -77,8 +77,8 @@ TEST(SkinKernel, AgreesWithOneVertexAtATime)
             const Skinned in(
                 count, influences, std::uint32_t(influences * 1000) + std::uint32_t(count));
             std::vector<glm::vec3> position(count), normal(count);
-            ASSERT_TRUE(skin_vertices(in.view(), count, in.position.data(), in.normal.data(),
-                position.data(), normal.data()));
+            ASSERT_TRUE(skin_vertices(in.view(), count, {in.position.data(), in.normal.data()},
+                {position.data(), normal.data()}));
             for (std::size_t v = 0; v < count; ++v) {
                 const glm::dmat4 m = in.blended(v);
                 const glm::dvec3 p(m * glm::dvec4(in.position[v], 1));
@@ -111,8 +111,8 @@ TEST(SkinKernel, GivesTheSameBitsForEveryInstructionSet)
     std::vector<glm::vec3> first_position, first_normal;
     for_instruction_sets([&] {
         std::vector<glm::vec3> position(77), normal(77);
-        skin_vertices(
-            in.view(), 77, in.position.data(), in.normal.data(), position.data(), normal.data());
+        skin_vertices(in.view(), 77, {in.position.data(), in.normal.data()},
+            {position.data(), normal.data()});
         if (first_position.empty()) {
             first_position = position;
             first_normal = normal;
@@ -127,9 +127,9 @@ TEST(SkinKernel, MayWriteWhereItReads)
     Skinned in(50, 4, 9);
     std::vector<glm::vec3> position(50), normal(50);
     skin_vertices(
-        in.view(), 50, in.position.data(), in.normal.data(), position.data(), normal.data());
-    skin_vertices(
-        in.view(), 50, in.position.data(), in.normal.data(), in.position.data(), in.normal.data());
+        in.view(), 50, {in.position.data(), in.normal.data()}, {position.data(), normal.data()});
+    skin_vertices(in.view(), 50, {in.position.data(), in.normal.data()},
+        {in.position.data(), in.normal.data()});
     EXPECT_EQ(in.position, position);
     EXPECT_EQ(in.normal, normal);
 }
@@ -140,8 +140,8 @@ TEST(SkinKernel, SaysWhatIsNotFinite)
         Skinned in(20, 4, 3);
         in.position[bad].y = std::numeric_limits<float>::infinity();
         std::vector<glm::vec3> position(20), normal(20);
-        EXPECT_FALSE(skin_vertices(
-            in.view(), 20, in.position.data(), in.normal.data(), position.data(), normal.data()));
+        EXPECT_FALSE(skin_vertices(in.view(), 20, {in.position.data(), in.normal.data()},
+            {position.data(), normal.data()}));
     }
 }
 
@@ -151,7 +151,7 @@ TEST(SkinKernel, GivesANormalWhereTheMatrixIsFlat)
     for (std::size_t k = 0; k < in.matrix.size(); ++k) in.matrix[k] = 0;
     std::vector<glm::vec3> position(4), normal(4);
     EXPECT_TRUE(skin_vertices(
-        in.view(), 4, in.position.data(), in.normal.data(), position.data(), normal.data()));
+        in.view(), 4, {in.position.data(), in.normal.data()}, {position.data(), normal.data()}));
     for (const glm::vec3& n : normal) EXPECT_EQ(n, glm::vec3(0, 0, 1));
 }
 
