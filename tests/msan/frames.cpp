@@ -2,7 +2,7 @@
 // depends on memory that nobody wrote.
 //
 // A plain program: libstdc++'s streams and GoogleTest's are not instrumented, and would be reported.
-#include "render/memory_cases.h"
+#include "render/memory/memory_cases.h"
 
 #include <firsthit/firsthit.h>
 

@@ -1,7 +1,7 @@
 // fresh_memory_test.cpp - pictures of the cpu engine do not depend on what memory held before.
 #include "instruction_sets.h"
-#include "render/fresh_memory.h"
-#include "render/memory_cases.h"
+#include "render/memory/fresh_memory.h"
+#include "render/memory/memory_cases.h"
 
 #include <firsthit/firsthit.h>
 

@@ -1,7 +1,7 @@
 // fresh_memory_gl_test.cpp - pictures of the OpenGL engines do not depend on what memory held
 // before.
-#include "render/fresh_memory.h"
-#include "render/memory_cases.h"
+#include "render/memory/fresh_memory.h"
+#include "render/memory/memory_cases.h"
 
 #include <firsthit/firsthit.h>
 

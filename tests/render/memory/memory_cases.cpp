@@ -1,6 +1,6 @@
 // memory_cases.cpp - small worlds and settings that together make frames use every kind of memory.
 #include "scene/model/borrow.h"
-#include "render/memory_cases.h"
+#include "render/memory/memory_cases.h"
 
 #include "cpu/adversarial_scenes.h"
 #include "scene/model/default_light.h"
