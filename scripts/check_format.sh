@@ -13,7 +13,7 @@ case "${1:-}" in
     --fix) mode=(-i) ;;
     *) echo "usage: check_format.sh [--fix]" >&2; exit 2 ;;
 esac
-for folder in src include apps tests bench examples; do
+for folder in src include apps tests bench examples python; do
     [ ! -d "$folder" ] || find "$folder" -type f \( -name '*.h' -o -name '*.cpp' \) -print0
 done | xargs -0 -r -n 32 "$formatter" --style=file "${mode[@]}" || {
     echo "check_format.sh: run scripts/check_format.sh --fix" >&2

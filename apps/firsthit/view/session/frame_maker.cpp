@@ -1,0 +1,149 @@
+// frame_maker.cpp - makes one picture of a session after the other.
+#include "view/session/frame_maker.h"
+
+#include "common/stopwatch.h"
+#include "view/session/looks.h"
+
+#include <firsthit/picture.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace firsthit::cli::view {
+namespace {
+
+Box box_of(const World& world)
+{
+    const std::array<glm::vec3, 2> box = bounds(world);
+    return {glm::dvec3(box[0]), glm::dvec3(box[1])};
+}
+
+std::optional<Box> box_of_instance(const World& world, std::int32_t number)
+{
+    if (number < 0 || std::size_t(number) >= world.scene->instances.size()) return {};
+    const Instance& instance = world.scene->instances[std::size_t(number)];
+    if (instance.vertex_count == 0) return {};
+    Box box{glm::dvec3(world.position[instance.first_vertex]),
+        glm::dvec3(world.position[instance.first_vertex])};
+    for (std::uint32_t k = 0; k < instance.vertex_count; ++k) {
+        const glm::dvec3 p(world.position[instance.first_vertex + k]);
+        box[0] = glm::min(box[0], p);
+        box[1] = glm::max(box[1], p);
+    }
+    return box;
+}
+
+/// The settings that are free of all that is approximate.
+Settings exact_settings(const Settings& given)
+{
+    Settings settings = given;
+    settings.engine = Engine::cpu;
+    if (settings.shadows != Shadows::none) settings.shadows = Shadows::exact;
+    settings.interleave = 1;
+    settings.aovs.clear();
+    return settings;
+}
+
+bool same_look(const FrameRequest& a, const FrameRequest& b)
+{
+    return a.scene == b.scene && a.width == b.width && a.height == b.height &&
+           a.state.look == b.state.look && a.state.settings.engine == b.state.settings.engine &&
+           a.state.settings.shadows == b.state.settings.shadows &&
+           a.state.settings.sky.directions == b.state.settings.sky.directions &&
+           a.state.settings.samples == b.state.settings.samples &&
+           a.state.settings.adaptive == b.state.settings.adaptive;
+}
+
+} // namespace
+
+void FrameMaker::take_pose(const FrameRequest& request)
+{
+    const std::shared_ptr<const Scene> scene = request.scene->scene_at(request.pose.time_s);
+    renderer_.pose(scene, request.pose, world_);
+}
+
+Rung FrameMaker::rung_of(const FrameRequest& request, int& number, int& count)
+{
+    const Scene& scene = *world_.scene;
+    const bool background = scene.environment.map && scene.environment.background;
+    std::vector<Rung> rungs = rungs_of(request.state.settings, !background);
+    if (!request.moving || !request.state.hold_rate) {
+        number = -1;
+        return rungs[0];
+    }
+    if (!same_look(request, last_)) ladder_.reset();
+    count = int(rungs.size());
+    number = ladder_.rung(count);
+    return rungs[std::size_t(number)];
+}
+
+void FrameMaker::render_reference(
+    const View& view, const Settings& whole, const FrameControl& control)
+{
+    if (!exact_) exact_ = std::make_unique<Renderer>(threads_);
+    exact_->render(world_, view, exact_settings(whole), reference_, control);
+}
+
+void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, ShownFrame& shown)
+{
+    const Stopwatch watch;
+    FrameControl control;
+    control.stop = stop;
+    shown.state_time = Clock::now();
+    take_pose(request);
+    int number = -1, count = 0;
+    const Rung rung = rung_of(request, number, count);
+    const auto scaled = [&](int side) { return std::max(1, int(std::lround(side * rung.scale))); };
+    const Camera* camera = request.camera ? &*request.camera : nullptr;
+    view_ = request.scene->view(world_, scaled(request.width), scaled(request.height), camera);
+
+    Settings settings = rung.settings;
+    shown.note = ask_for_planes(request.state.look, world_.lights.size(), settings);
+    const bool outlined = request.state.selected >= 0 &&
+                          std::size_t(request.state.selected) < world_.scene->instances.size();
+    if (outlined &&
+        std::find(settings.aovs.begin(), settings.aovs.end(), Aov::instance) == settings.aovs.end())
+        settings.aovs.push_back(Aov::instance);
+    Film& film = request.moving ? moving_ : shown.film;
+    renderer_.render(world_, view_, settings, film, control);
+    shown.stats = renderer_.stats();
+    shown.engine = renderer_.engine();
+    const bool difference = request.state.look == Look::difference;
+    if (difference) render_reference(view_, rung.settings, control);
+    const auto& gradient = request.scene->options().picture.backdrop.gradient;
+    if (gradient && settings.alpha) lay_over(film, *gradient, 0, view_.height);
+
+    const Painting painting{.look = request.state.look,
+        .light = request.state.light,
+        .tone = request.state.tone,
+        .dither = request.state.dither,
+        .exact = !request.moving,
+        .selected = outlined ? request.state.selected : -1,
+        .reference = difference ? &reference_ : nullptr};
+    paint(film, painting, shown.rgba);
+    shown.request = request;
+    shown.width = view_.width;
+    shown.height = view_.height;
+    shown.missing = rung.missing;
+    shown.camera = view_.camera;
+    if (!request.moving) {
+        shown.box = box_of(world_);
+        shown.selected = box_of_instance(world_, request.state.selected);
+    } else {
+        shown.film.width = 0; // the film is of another frame
+        shown.box = {};
+        shown.selected.reset();
+    }
+    shown.made_ms = watch.ms();
+    if (number >= 0)
+        ladder_.made(number, shown.made_ms, 1000 / request.state.rate, count, Clock::now());
+    last_ = request;
+}
+
+Pick FrameMaker::pick(int x, int y)
+{
+    if (!picks_) picks_ = std::make_unique<Renderer>(1);
+    return view::pick(*picks_, world_, view_, last_.state.settings, x, y);
+}
+
+} // namespace firsthit::cli::view

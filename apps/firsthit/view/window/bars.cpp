@@ -1,0 +1,175 @@
+// bars.cpp - the times of stages as stacked bars over time, and the page of keys.
+#include "view/window/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace firsthit::cli::view {
+namespace {
+
+struct Stage {
+    const char* name;
+    double Stats::*ms;
+    ImU32 color;
+};
+
+constexpr std::array<Stage, 10> kStages = {{
+    {"pose", &Stats::pose_ms, IM_COL32(120, 144, 156, 255)},
+    {"set-up", &Stats::setup_ms, IM_COL32(94, 129, 244, 255)},
+    {"raster", &Stats::raster_ms, IM_COL32(66, 184, 221, 255)},
+    {"draw", &Stats::draw_ms, IM_COL32(120, 94, 240, 255)},
+    {"wait", &Stats::wait_ms, IM_COL32(150, 110, 90, 255)},
+    {"resolve", &Stats::resolve_ms, IM_COL32(84, 190, 120, 255)},
+    {"shadow", &Stats::shadow_ms, IM_COL32(235, 170, 60, 255)},
+    {"sky", &Stats::sky_ms, IM_COL32(150, 200, 250, 255)},
+    {"shade", &Stats::shade_ms, IM_COL32(226, 92, 92, 255)},
+    {"mark", &Stats::mark_ms, IM_COL32(200, 120, 200, 255)},
+}};
+constexpr ImU32 kOther = IM_COL32(110, 110, 110, 255);
+constexpr std::size_t kBars = 100;
+const ImVec2 kBarsSize{300, 110};
+
+double memory_mb()
+{
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// One frame from below: its stages, and what is in none of them.
+void draw_bar(
+    ImDrawList& list, const HistoryEntry& frame, ImVec2 foot, float width, double px_per_ms)
+{
+    float y = foot.y;
+    double told = 0;
+    const auto add = [&](double ms, ImU32 color) {
+        const float next = y - float(ms * px_per_ms);
+        if (y - next > 0.3f) list.AddRectFilled({foot.x, next}, {foot.x + width, y}, color);
+        y = next;
+    };
+    for (const Stage& stage : kStages) {
+        const double ms = frame.stats.*stage.ms;
+        told += ms;
+        add(ms, stage.color);
+    }
+    add(std::max(0.0, frame.made_ms - told), kOther);
+}
+
+void draw_legend(const Stats& stats, double made_ms)
+{
+    double told = 0;
+    int column = 0;
+    const auto entry = [&](const char* name, double ms, ImU32 color) {
+        if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * 102);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(fmt::format("{:<7}{:6.1f}", name, ms).c_str());
+        ImGui::PopStyleColor();
+    };
+    for (const Stage& stage : kStages) {
+        told += stats.*stage.ms;
+        if (stats.*stage.ms > 0) entry(stage.name, stats.*stage.ms, stage.color);
+    }
+    entry("other", std::max(0.0, made_ms - told), IM_COL32(160, 160, 160, 255));
+}
+
+} // namespace
+
+void draw_bars(const ViewSession& session, Clock::time_point now)
+{
+    const auto& frames = session.history().frames();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x - 10, screen.y - 10}, ImGuiCond_Always, {1, 1});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+        ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoSavedSettings;
+    if (!ImGui::Begin("Times (B)", nullptr, kFlags) || frames.empty()) {
+        ImGui::End();
+        return;
+    }
+    const std::size_t count = std::min(kBars, frames.size());
+    double most = 1;
+    for (std::size_t k = frames.size() - count; k < frames.size(); ++k)
+        most = std::max(most, frames[k].made_ms);
+    const HistoryEntry& last = frames.back();
+    ImGui::TextUnformatted(
+        fmt::format("last frame {:.1f} ms, highest bar {:.1f} ms", last.made_ms, most).c_str());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(kBarsSize);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(
+        corner, {corner.x + kBarsSize.x, corner.y + kBarsSize.y}, IM_COL32(20, 20, 24, 255));
+    const float width = kBarsSize.x / float(kBars);
+    for (std::size_t k = 0; k < count; ++k) {
+        const float x = corner.x + kBarsSize.x - float(count - k) * width;
+        draw_bar(list, frames[frames.size() - count + k], {x, corner.y + kBarsSize.y},
+            std::max(1.0f, width - 0.5f), double(kBarsSize.y) / most);
+    }
+    draw_legend(last.stats, last.made_ms);
+    ImGui::TextUnformatted(fmt::format("{:.0f} frames a second, 1 % low {:.0f}",
+        session.history().rate(now), session.history().low_rate())
+                               .c_str());
+    const std::shared_ptr<const ShownFrame> frame = session.latest();
+    const char* engine = !frame                                   ? ""
+                         : frame->engine.engine == Engine::cpu    ? "cpu"
+                         : frame->engine.engine == Engine::hybrid ? "hybrid"
+                                                                  : "gpu";
+    ImGui::TextUnformatted(fmt::format("{} | {} triangles, {} in view | {:.0f} MB", engine,
+        last.stats.triangles, last.stats.in_view, memory_mb())
+                               .c_str());
+    ImGui::End();
+}
+
+void draw_help()
+{
+    static constexpr std::array<std::array<const char*, 2>, 25> kKeys = {{
+        {"left drag", "turn round the scene"},
+        {"middle drag, shift + left drag", "move sideways"},
+        {"right drag", "look around"},
+        {"wheel, + and -", "nearer and farther, towards the pointer"},
+        {"W A S D, E Q", "fly: ahead, left, back, right; up, down"},
+        {"arrow keys", "turn by steps"},
+        {"1  3  7  0", "front, right, top, corner; with shift back, left, bottom"},
+        {"F, shift + F", "frame what is selected, or all"},
+        {"Home", "the first camera again"},
+        {"Page up and down", "cameras of the file"},
+        {"T", "turntable"},
+        {"C", "copy the camera as options of firsthit render"},
+        {"", ""},
+        {"space", "play and pause"},
+        {". and ,", "step ahead and back"},
+        {"[ and ]   L", "half and twice as fast; loop"},
+        {"", ""},
+        {"click", "select the instance under the pointer, or none"},
+        {"V, shift + V", "ways of looking: colour, items, depth, ..."},
+        {"G   H", "next engine; next kind of shadows"},
+        {"Tab   B   I", "switches; times; what is under the pointer"},
+        {"R, or drop a file", "read the file again; read another"},
+        {"F12", "save the picture as firsthit-001.png"},
+        {"?   F1", "this page"},
+        {"Escape", "close this page, unselect, end"},
+    }};
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowBgAlpha(0.93f);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav;
+    if (ImGui::Begin("Keys (?)", nullptr, kFlags)) {
+        for (const auto& [keys, text] : kKeys) {
+            ImGui::TextUnformatted(keys);
+            ImGui::SameLine(250);
+            ImGui::TextUnformatted(text);
+        }
+    }
+    ImGui::End();
+}
+
+} // namespace firsthit::cli::view

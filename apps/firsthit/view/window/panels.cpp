@@ -1,0 +1,189 @@
+// panels.cpp - the panel of switches, the corner and the pointer's pixel.
+#include "view/window/panels.h"
+
+#include "common/parse.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace firsthit::cli::view {
+namespace {
+
+constexpr float kMargin = 10;
+constexpr float kPanelWidth = 320;
+constexpr ImGuiWindowFlags kText =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
+    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
+
+/// Chooses, and says what is wrong where it cannot be.
+void choose_in(ViewSession& session, const std::string& name, const std::string& value)
+{
+    try {
+        session.choose_switch(name, value);
+    } catch (const std::exception& error) {
+        session.say(error.what());
+    }
+}
+
+bool combo(ViewSession& session, const Switch& one, const std::vector<std::string>& shown,
+    const std::vector<std::string>& values, const std::string& value)
+{
+    const auto at = std::find(values.begin(), values.end(), value);
+    const std::string preview =
+        at == values.end() ? value : shown[std::size_t(at - values.begin())];
+    if (!ImGui::BeginCombo(one.name.c_str(), preview.c_str())) return false;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (ImGui::Selectable(fmt::format("{}##{}", shown[k], k).c_str(), values[k] == value))
+            choose_in(session, one.name, values[k]);
+    ImGui::EndCombo();
+    return true;
+}
+
+void number_of(ViewSession& session, const Switch& one, const std::string& value)
+{
+    double number = parse_number(value);
+    double least = one.least, most = one.most;
+    if (one.name == "time") {
+        least = session.scene().begin_s(session.state().clip);
+        most = session.scene().end_s(session.state().clip);
+        number = session.state().time_s;
+        if (!(most > least)) return;
+    }
+    const bool slides = most - least <= 300 && (one.whole || one.name == "time");
+    bool changed = false;
+    if (slides && one.whole) {
+        int whole = int(number);
+        changed = ImGui::SliderInt(
+            one.name.c_str(), &whole, int(least), int(most), "%d", ImGuiSliderFlags_AlwaysClamp);
+        number = whole;
+    } else if (slides) {
+        changed = ImGui::SliderScalar(one.name.c_str(), ImGuiDataType_Double, &number, &least,
+            &most, "%.3f s", ImGuiSliderFlags_AlwaysClamp);
+    } else {
+        const double step = one.whole ? 1 : one.name == "rate" ? 5 : 0.25;
+        changed =
+            ImGui::InputDouble(one.name.c_str(), &number, step, 0, one.whole ? "%.0f" : "%.4g");
+    }
+    if (changed) choose_in(session, one.name, fmt::format("{}", std::clamp(number, least, most)));
+}
+
+void switch_row(ViewSession& session, const Switch& one)
+{
+    const Scene& scene = session.scene().first();
+    const std::string value = one.get(session.state());
+    if (one.words.size() == 2 && one.words[0] == "off") {
+        bool on = value == "on";
+        if (ImGui::Checkbox(one.name.c_str(), &on)) choose_in(session, one.name, on ? "on" : "off");
+    } else if (!one.words.empty()) {
+        combo(session, one, one.words, one.words, value);
+    } else if (one.name == "clip") {
+        std::vector<std::string> shown{"at rest"}, values{"-1"};
+        for (std::size_t k = 0; k < scene.clips.size(); ++k) {
+            const std::string& name = scene.clips[k].name;
+            shown.push_back(name.empty() ? fmt::format("clip {}", k) : name);
+            values.push_back(fmt::format("{}", k));
+        }
+        combo(session, one, shown, values, value);
+    } else if (one.name == "camera") {
+        std::vector<std::string> shown, values;
+        for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+            const std::string& name = scene.cameras[k].name;
+            shown.push_back(name.empty() ? fmt::format("camera {}", k) : name);
+            values.push_back(fmt::format("{}", k));
+        }
+        if (!shown.empty()) combo(session, one, shown, values, value);
+    } else if (one.name == "selected") {
+        ImGui::Text(
+            "%s", session.state().selected < 0
+                      ? "click selects an instance"
+                      : fmt::format("selected: instance {}", session.state().selected).c_str());
+        return;
+    } else {
+        number_of(session, one, value);
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.text.c_str());
+}
+
+void draw_switches(ViewSession& session)
+{
+    const float height = ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(
+        {kPanelWidth, std::min(620.0f, height - 2 * kMargin)}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Switches (Tab)", nullptr,
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+        ImGui::TextDisabled("? lists the keys");
+        ImGui::PushItemWidth(-120);
+        std::string group;
+        bool open = false;
+        for (const Switch& one : all_switches()) {
+            if (one.group != group) {
+                group = one.group;
+                const bool first = group == "look" || group == "animation" || group == "frame";
+                open = ImGui::CollapsingHeader(
+                    group.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+            }
+            if (open) switch_row(session, one);
+        }
+        ImGui::PopItemWidth();
+    }
+    ImGui::End();
+}
+
+void draw_corner(const ViewSession& session, Clock::time_point now)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x - kMargin, kMargin}, ImGuiCond_Always, {1, 0});
+    ImGui::SetNextWindowBgAlpha(0.65f);
+    if (ImGui::Begin("corner", nullptr, kText)) ImGui::TextUnformatted(session.corner(now).c_str());
+    ImGui::End();
+}
+
+void draw_message(const ViewSession& session)
+{
+    const std::string message = session.message();
+    if (message.empty()) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y - kMargin}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    if (ImGui::Begin("message", nullptr, kText)) {
+        ImGui::PushTextWrapPos(size.x * 0.7f);
+        ImGui::TextUnformatted(message.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+void draw_pick(const ViewSession& session)
+{
+    const std::optional<Pick> found = session.latest_pick();
+    if (!found || ImGui::GetIO().WantCaptureMouse) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos, size = ImGui::GetIO().DisplaySize;
+    // On the side of the pointer where there is room.
+    const ImVec2 side(
+        mouse.x > size.x * 0.65f ? 1.0f : 0.0f, mouse.y > size.y * 0.65f ? 1.0f : 0.0f);
+    const ImVec2 place(
+        mouse.x + (side.x > 0 ? -18.0f : 18.0f), mouse.y + (side.y > 0 ? -18.0f : 18.0f));
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, side);
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    if (ImGui::Begin("pixel", nullptr, kText))
+        for (const std::string& line : told(*found)) ImGui::TextUnformatted(line.c_str());
+    ImGui::End();
+}
+
+} // namespace
+
+void draw_panels(ViewSession& session, Clock::time_point now)
+{
+    const ViewState& state = session.state();
+    if (state.panel) draw_switches(session);
+    if (state.bars) draw_bars(session, now);
+    if (state.corner) draw_corner(session, now);
+    if (state.hover) draw_pick(session);
+    if (state.help) draw_help();
+    draw_message(session);
+}
+
+} // namespace firsthit::cli::view

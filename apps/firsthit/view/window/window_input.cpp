@@ -1,0 +1,123 @@
+// window_input.cpp - takes input of a window to the panels or to the session.
+#include "view/window/window_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <array>
+#include <utility>
+
+namespace firsthit::cli::view {
+namespace {
+
+/// Keys with names; letters and digits are their own.
+constexpr auto kKeys = std::to_array<std::pair<int, const char*>>({{GLFW_KEY_SPACE, "space"},
+    {GLFW_KEY_PERIOD, "."}, {GLFW_KEY_COMMA, ","}, {GLFW_KEY_LEFT_BRACKET, "["},
+    {GLFW_KEY_RIGHT_BRACKET, "]"}, {GLFW_KEY_HOME, "home"}, {GLFW_KEY_PAGE_UP, "pageup"},
+    {GLFW_KEY_PAGE_DOWN, "pagedown"}, {GLFW_KEY_LEFT, "left"}, {GLFW_KEY_RIGHT, "right"},
+    {GLFW_KEY_UP, "up"}, {GLFW_KEY_DOWN, "down"}, {GLFW_KEY_EQUAL, "="}, {GLFW_KEY_MINUS, "-"},
+    {GLFW_KEY_KP_ADD, "+"}, {GLFW_KEY_KP_SUBTRACT, "-"}, {GLFW_KEY_TAB, "tab"}, {GLFW_KEY_F1, "f1"},
+    {GLFW_KEY_F5, "f5"}, {GLFW_KEY_F12, "f12"}, {GLFW_KEY_ESCAPE, "escape"}});
+
+/// Keys that fields of panels need.
+constexpr auto kFieldKeys = std::to_array<std::pair<ImGuiKey, const char*>>(
+    {{ImGuiKey_LeftArrow, "left"}, {ImGuiKey_RightArrow, "right"}, {ImGuiKey_Home, "home"},
+        {ImGuiKey_Backspace, "backspace"}, {ImGuiKey_Delete, "delete"}, {ImGuiKey_Enter, "enter"},
+        {ImGuiKey_Escape, "escape"}, {ImGuiKey_Tab, "tab"}, {ImGuiKey_End, "end"}});
+
+int field_key(const std::string& name)
+{
+    for (std::size_t k = 0; k < kFieldKeys.size(); ++k)
+        if (name == kFieldKeys[k].second) return int(k);
+    return -1;
+}
+
+} // namespace
+
+void name_imgui_keys()
+{
+    for (std::size_t k = 0; k < kFieldKeys.size(); ++k)
+        ImGui::GetIO().KeyMap[kFieldKeys[k].first] = int(k);
+}
+
+std::string key_name(int glfw_key, int modifiers)
+{
+    if (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {};
+    const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    if (glfw_key == GLFW_KEY_SLASH && shift) return "?";
+    std::string name;
+    if (GLFW_KEY_A <= glfw_key && glfw_key <= GLFW_KEY_Z)
+        name = std::string(1, char('a' + (glfw_key - GLFW_KEY_A)));
+    else if (GLFW_KEY_0 <= glfw_key && glfw_key <= GLFW_KEY_9)
+        name = std::string(1, char('0' + (glfw_key - GLFW_KEY_0)));
+    else if (GLFW_KEY_KP_0 <= glfw_key && glfw_key <= GLFW_KEY_KP_9)
+        name = std::string(1, char('0' + (glfw_key - GLFW_KEY_KP_0)));
+    for (const auto& [key, text] : kKeys)
+        if (key == glfw_key) name = text;
+    switch (glfw_key) {
+    case GLFW_KEY_BACKSPACE:
+        return "backspace";
+    case GLFW_KEY_DELETE:
+        return "delete";
+    case GLFW_KEY_END:
+        return "end";
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return "enter";
+    default:
+        break;
+    }
+    if (name == "=" && shift) return "+";
+    return shift && !name.empty() ? "shift+" + name : name;
+}
+
+void WindowInput::pointer_moves(double x, double y)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {float(x), float(y)};
+    if (io.WantCaptureMouse && !session_holds_)
+        session_.pointer_moves(-1, -1);
+    else
+        session_.pointer_moves(x * scale_, y * scale_);
+}
+
+void WindowInput::button(Button button, bool down, bool shift)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    const int number = button == Button::left ? 0 : button == Button::right ? 1 : 2;
+    if (down && io.WantCaptureMouse) {
+        io.MouseDown[number] = true;
+        return;
+    }
+    if (!session_holds_) io.MouseDown[number] = down;
+    session_holds_ = down;
+    session_.button(button, down, shift);
+}
+
+void WindowInput::scroll(double steps)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse)
+        io.MouseWheel += float(steps);
+    else
+        session_.scroll(steps);
+}
+
+void WindowInput::key(const std::string& name, bool down)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    const int field = field_key(name);
+    if (field >= 0) io.KeysDown[field] = down && io.WantTextInput;
+    if (down && io.WantTextInput) return;
+    session_.key(name, down);
+    // A key that was pressed with shift may be let go without it.
+    if (!down && name.starts_with("shift+")) session_.key(name.substr(6), false);
+}
+
+void WindowInput::letter(unsigned code)
+{
+    if (ImGui::GetIO().WantTextInput) ImGui::GetIO().AddInputCharacter(code);
+}
+
+} // namespace firsthit::cli::view

@@ -1,0 +1,198 @@
+#!/usr/bin/env bash
+# view_window_test.sh - the window of `firsthit view` under Xvfb: every switch, way of looking, key and panel is seen to
+# change what it should. Ends with 77, which ctest counts as skipped, where Xvfb or the window is missing.
+# Usage: view_window_test.sh PROGRAM [FUZZ_SECONDS [SEED]]
+source "$(dirname "$0")/cli_checks.sh"
+fuzz_s=${2:-0} seed=${3:-1}
+command -v Xvfb >/dev/null || { echo "skipped: no Xvfb (apt-get install xvfb)"; exit 77; }
+if DISPLAY= WAYLAND_DISPLAY= "$program" view builtin:torus 2>&1 | grep -q "built without a window"; then
+    echo "skipped: this firsthit was built without a window"
+    exit 77
+fi
+# The server chooses a free display and tells it.
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>display.txt 2>xvfb.txt &
+server=$!
+trap 'kill $server 2>/dev/null; rm -rf "$folder"' EXIT
+for _ in $(seq 100); do
+    [ -s display.txt ] && break
+    sleep 0.1
+done
+[ -s display.txt ] || { echo "skipped: Xvfb does not start: $(cat xvfb.txt)"; exit 77; }
+DISPLAY=:$(cat display.txt)
+export DISPLAY LIBGL_ALWAYS_SOFTWARE=1
+unset WAYLAND_DISPLAY
+
+# play SCENE SCRIPT OPTIONS...: plays a script in a window of 640 x 480.
+play()
+{
+    local scene=$1
+    printf '%s\n' "$2" >script.txt
+    shift 2
+    timeout 300 "$program" view "$scene" --size 640x480 --script script.txt "$@" 2>said.txt
+}
+
+# changes WHAT ACTIONS: the window after the actions is another than before. Panels that count are hidden.
+changes()
+{
+    local what=$1 actions=$2 first=${3:-choose bars off
+choose corner off
+choose hover off}
+    checks=$((checks + 1))
+    rm -f before.png after.png
+    play "${scene:-builtin:robots}" "$first
+wait rest
+screenshot before.png
+$actions
+screenshot after.png" || { fail "$what: $(cat said.txt)"; return; }
+    [ -s before.png ] && [ -s after.png ] || { fail "$what: no screenshot"; return; }
+    cmp -s before.png after.png && fail "$what: nothing changes on the screen"
+}
+
+# Ways of looking.
+for look in items instances materials depth normals light difference; do
+    changes "look $look" "choose look $look
+wait rest"
+done
+# Switches that change the picture.
+quiet="choose panel off
+choose bars off
+choose corner off
+choose hover off"
+for pair in "shadows none" "shadows map" "samples 3" "aa 1" "interleave 4" "sky 12" "studio on" "exposure 1" \
+    "tonemap aces" "dither off" "time 3" "clip -1" "selected 3"; do
+    changes "$pair" "choose $pair
+wait rest" "$quiet"
+done
+for pair in "shadow-filter 9" "shadow-map-size 32" "shadow-bias 1"; do
+    changes "$pair" "choose $pair
+wait rest" "$quiet
+choose shadows map"
+done
+# Switches whose picture is the same are seen in the panel.
+for pair in "engine hybrid" "engine gpu" "loop off" "speed 2" "rate 30" "hold off" "tile-size 16" "interpolate off" \
+    "play on" "turntable on"; do
+    changes "$pair in the panel" "choose $pair
+wait 5 frames"
+done
+# Keys.
+for key in 1 3 7 0 shift+1 shift+3 shift+7 left right up down + - . h v; do
+    changes "key $key" "key $key
+wait rest" "$quiet"
+done
+for key in w a s d q e; do
+    changes "key $key" "key $key 0.3
+wait rest" "$quiet"
+done
+for key in tab b f1 '?' c; do changes "key $key" "key $key
+wait 3 frames"; done
+changes "key i" "mouse 500 300
+wait pick
+wait 3 frames" "choose bars off
+choose corner off"
+changes "drag" "drag 400 200 460 240
+wait rest" "$quiet"
+changes "drag with shift" "drag 400 200 460 240 shift
+wait rest" "$quiet"
+changes "drag with the middle button" "drag 400 200 460 240 middle
+wait rest" "$quiet"
+changes "drag with the right button" "drag 400 200 460 240 right
+wait rest" "$quiet"
+changes "wheel" "scroll 400 200 3
+wait rest" "$quiet"
+changes "click selects" "mouse 320 300
+wait pick
+click 320 300
+wait rest
+refute selected -1" "choose panel off
+choose bars off
+choose corner off"
+
+# The hand takes panels, not the picture below them: the first header of the panel closes.
+changes "click on the panel" "click 100 60
+wait 5 frames
+assert selected -1"
+
+# What is on the screen, without panels, is the picture of render.
+checks=$((checks + 1))
+play builtin:robots "$quiet
+wait rest
+screenshot window.png
+picture picture.png" || fail "the picture: $(cat said.txt)"
+"$program" render builtin:robots --size 640x480 -o render.png -q
+cmp -s picture.png render.png || fail "the picture of the window is not that of render"
+python3 - <<'PY' || fail "the pixels of the window are not those of render"
+import struct, sys, zlib
+def pixels(path):
+    data = open(path, 'rb').read()
+    at, idat = 8, b''
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        if kind == b'IHDR': w, h, depth, color = struct.unpack('>IIBB', data[at + 8:at + 18])
+        if kind == b'IDAT': idat += data[at + 8:at + 8 + size]
+        at += 12 + size
+    assert (depth, color) == (8, 2), (depth, color)
+    raw, rows, before = zlib.decompress(idat), [], bytearray(3 * w)
+    for y in range(h):
+        filt, row = raw[y * (3 * w + 1)], bytearray(raw[y * (3 * w + 1) + 1:(y + 1) * (3 * w + 1)])
+        for x in range(3 * w):
+            a, b, c = row[x - 3] if x > 2 else 0, before[x], before[x - 3] if x > 2 else 0
+            p = a + b - c
+            near = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            row[x] = (row[x] + [0, a, b, (a + b) // 2, near][filt]) & 255
+        rows.append(bytes(row)); before = row
+    return rows
+sys.exit(pixels('window.png') != pixels('render.png'))
+PY
+
+# Size, files.
+checks=$((checks + 1))
+play builtin:torus "wait rest
+resize 500 300
+wait rest
+picture small.png
+open nothing.off
+wait rest
+open builtin:robots
+wait rest
+key f12
+screenshot end.png" --screenshot last.png || fail "size and files: $(cat said.txt)"
+[ -s firsthit-001.png ] && [ -s last.png ] || fail "F12 or --screenshot wrote nothing"
+
+# Seeded random input.
+if [ "$fuzz_s" -gt 0 ]; then
+    checks=$((checks + 1))
+    python3 - "$fuzz_s" "$seed" >fuzz.txt <<'PY'
+import random, sys
+seconds, seed = int(sys.argv[1]), int(sys.argv[2])
+r = random.Random(seed)
+keys = 'w a s d q e 1 3 7 0 f shift+f home left right up down + - space . , [ ] l t v shift+v g h tab b i ? c r'.split()
+point = lambda: f'{r.randrange(640)} {r.randrange(480)}'
+switches = {'samples': '1 2', 'aa': '1 3', 'interleave': '1 2 5', 'sky': '0 8', 'shadows': 'none map exact auto',
+    'shadow-filter': '1 5', 'hold': 'on off', 'rate': '20 90', 'tile-size': '8 64 128', 'exposure': '0 1',
+    'item-format': 'r32ui rgba8 rgb8', 'depth-format': 'float32 fixed24', 'readback': 'sync async',
+    'multisample': 'none lazy3 full5 exact', 'gpu-passes': 'single multi', 'selected': '-1 0 2'}
+spent = 0.0
+while spent < seconds:
+    kind = r.randrange(8)
+    if kind == 0: print('key', r.choice(keys), 0.1)
+    if kind == 1: print('click', point(), r.choice(['left', 'right', 'middle']))
+    if kind == 2: print('drag', point(), point(), r.choice(['left', 'right', 'middle', 'shift']), r.randrange(2, 12))
+    if kind == 3: print('scroll', point(), r.randrange(-5, 6))
+    if kind == 4:
+        name = r.choice(list(switches))
+        print('choose', name, r.choice(switches[name].split()))
+    if kind == 5: print('resize', r.randrange(60, 800), r.randrange(60, 600))
+    if kind == 6: print('mouse', point())
+    if kind == 7: print('key', r.choice(keys))
+    print('wait 0.1 seconds')
+    spent += 0.25
+    if r.randrange(40) == 0: print('key home'); print('choose samples 1')
+print('measure')
+PY
+    timeout $((fuzz_s * 6 + 120)) "$program" view builtin:robots --size 640x480 --script fuzz.txt >measured.txt 2>said.txt ||
+        fail "random input, seed $seed: $(tail -c 500 said.txt)"
+    cat measured.txt
+fi
+
+echo "$checks checks, $failures failures"
+[ "$failures" = 0 ]
