@@ -91,7 +91,7 @@ FNR == 1 {
     # The others see the public headers only. An app also includes its own files, by their plain names or
     # as bench/....
     if (target in floor_of) { complain("only <firsthit/...> is seen from here"); next }
-    if (quoted && !(path[1] == "apps" && (index(name, "/") == 0 || target ~ /^(bench|common|films|help|masks|options|outputs|view)$/))) complain("only <firsthit/...> is seen from here")
+    if (quoted && !(path[1] == "apps" && (index(name, "/") == 0 || target ~ /^(bench|common|films|help|inputs|masks|options|outputs|view)$/))) complain("only <firsthit/...> is seen from here")
 }
 END { exit bad }
 ' && echo "floors: every include goes down"

@@ -4,7 +4,7 @@
 
 #include "engine_report.h"
 #include "options/light_options.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 #include "common/add_parsed.h"
 #include "common/output.h"
 #include "common/parse.h"

@@ -3,7 +3,7 @@
 
 #include "common/manifest.h"
 #include "common/output.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 #include "common/usage.h"
 
 #include <firsthit/scene.h>

@@ -7,8 +7,8 @@
 #include "common/progress.h"
 #include "common/usage.h"
 #include "masks/coco_file.h"
-#include "options/frame_pattern.h"
-#include "options/scene_source.h"
+#include "inputs/frame_pattern.h"
+#include "inputs/scene_source.h"
 
 #include <firsthit/file.h>
 #include <firsthit/render.h>

@@ -7,7 +7,7 @@
 #include "options/camera_options.h"
 #include "options/light_options.h"
 #include "common/output.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 #include "common/parse.h"
 #include "common/progress.h"
 #include "common/stopwatch.h"

@@ -3,7 +3,7 @@
 
 #include "common/json.h"
 #include "options/scene_options.h"
-#include "options/sun_span.h"
+#include "inputs/sun_span.h"
 
 #include <firsthit/scene.h>
 

@@ -10,7 +10,7 @@
 #include "outputs/frame_outputs.h"
 #include "stats_report.h"
 #include "common/stopwatch.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 #include "common/usage.h"
 
 #include <firsthit/file.h>

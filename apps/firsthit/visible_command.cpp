@@ -7,7 +7,7 @@
 #include "common/output.h"
 #include "common/progress.h"
 #include "common/usage.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 
 #include <firsthit/error.h>
 #include <firsthit/file.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "options/camera_options.h"
-#include "options/frame_choice.h"
+#include "inputs/frame_choice.h"
 #include "options/scene_options.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // frame_choice_test.cpp - which frames --frames means.
-#include "options/frame_choice.h"
+#include "inputs/frame_choice.h"
 
 #include "common/progress.h"
 #include "common/usage.h"

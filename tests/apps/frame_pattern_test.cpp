@@ -1,5 +1,5 @@
 // frame_pattern_test.cpp - names of numbered files.
-#include "options/frame_pattern.h"
+#include "inputs/frame_pattern.h"
 #include "common/usage.h"
 
 #include "message_of.h"

@@ -1,6 +1,6 @@
 // picture_options_test.cpp - backgrounds and formats of the command line.
 #include "options/picture_options.h"
-#include "options/standard_input.h"
+#include "inputs/standard_input.h"
 #include "common/usage.h"
 
 #include "message_of.h"

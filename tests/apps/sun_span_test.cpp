@@ -1,6 +1,6 @@
 // sun_span_test.cpp - the sun over a span of time, and lights with more than a place.
-#include "options/parse_light.h"
-#include "options/sun_span.h"
+#include "inputs/parse_light.h"
+#include "inputs/sun_span.h"
 #include "common/usage.h"
 
 #include "message_of.h"

@@ -1,7 +1,7 @@
 // film_format.cpp - films by the endings of their names, and how ffmpeg is told to make them.
 #include "films/film_format.h"
 
-#include "options/frame_pattern.h"
+#include "inputs/frame_pattern.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // light_options.h - which lights shine on the scene, and how their shadows are found.
 #pragma once
 
-#include "options/parse_light.h"
+#include "inputs/parse_light.h"
 
 #include <firsthit/render.h>
 #include <firsthit/scene.h>

@@ -2,8 +2,8 @@
 #include "options/render_options.h"
 
 #include "films/film_writer.h"
-#include "options/camera_files.h"
-#include "options/frame_pattern.h"
+#include "inputs/camera_files.h"
+#include "inputs/frame_pattern.h"
 #include "common/add_parsed.h"
 #include "common/usage.h"
 

@@ -5,7 +5,7 @@
 #include "options/data_options.h"
 #include "options/engine_options.h"
 #include "options/environment_options.h"
-#include "options/frame_choice.h"
+#include "inputs/frame_choice.h"
 #include "options/light_options.h"
 #include "options/picture_options.h"
 #include "common/parse.h"

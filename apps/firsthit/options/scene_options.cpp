@@ -1,7 +1,7 @@
 // scene_options.cpp - which scene, and how its file is read.
 #include "options/scene_options.h"
 
-#include "options/standard_input.h"
+#include "inputs/standard_input.h"
 #include "common/usage.h"
 #include "common/add_parsed.h"
 #include "common/parse.h"

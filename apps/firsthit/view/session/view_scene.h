@@ -2,7 +2,7 @@
 #pragma once
 
 #include "options/render_options.h"
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 #include "view/session/camera_mover.h"
 
 #include <firsthit/world.h>

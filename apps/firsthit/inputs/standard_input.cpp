@@ -1,5 +1,5 @@
 // standard_input.cpp - a scene that comes through standard input.
-#include "options/standard_input.h"
+#include "inputs/standard_input.h"
 
 #include "common/interrupt.h"
 #include "common/usage.h"

@@ -1,5 +1,5 @@
 // sun_span.cpp - the sun over a span of time, step by step.
-#include "options/sun_span.h"
+#include "inputs/sun_span.h"
 
 #include "common/parse.h"
 #include "common/usage.h"

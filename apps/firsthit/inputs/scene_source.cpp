@@ -1,8 +1,8 @@
 // scene_source.cpp - the scene of each time: a single file, or a sequence of them.
-#include "options/scene_source.h"
+#include "inputs/scene_source.h"
 
 #include "common/output.h"
-#include "options/standard_input.h"
+#include "inputs/standard_input.h"
 #include "common/usage.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // frame_choice.cpp - which frames: --frames as times, as numbers, or the whole clip.
-#include "options/frame_choice.h"
+#include "inputs/frame_choice.h"
 
 #include "common/add_parsed.h"
 #include "common/parse.h"

@@ -1,5 +1,5 @@
 // parse_light.cpp - a light by words of the command line.
-#include "options/parse_light.h"
+#include "inputs/parse_light.h"
 
 #include "common/parse.h"
 #include "common/usage.h"

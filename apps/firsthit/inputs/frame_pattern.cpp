@@ -1,5 +1,5 @@
 // frame_pattern.cpp - names of numbered files, as out_%04d.png.
-#include "options/frame_pattern.h"
+#include "inputs/frame_pattern.h"
 
 #include "common/usage.h"
 

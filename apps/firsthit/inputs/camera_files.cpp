@@ -1,5 +1,5 @@
 // camera_files.cpp - cameras that come from files: --camera FILE, --camera-frame, --camera-path.
-#include "options/camera_files.h"
+#include "inputs/camera_files.h"
 
 #include "common/add_parsed.h"
 #include "common/usage.h"
