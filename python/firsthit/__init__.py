@@ -32,7 +32,6 @@ from ._firsthit import (
     __version__,
     compare,
     instruction_set,
-    load,
     read_cameras,
     studio_sky,
     sun_position,
@@ -54,7 +53,7 @@ from .cameras import (
 from .lights import directional, point, spot, sun
 from .points import occlusion, sky_light
 from .rendering import hash_of, render, render_batch, visible
-from .scenes import posed
+from .scenes import load, posed
 
 NO_ID = 0xFFFFFFFF
 """The id of pixels that see nothing."""

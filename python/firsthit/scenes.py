@@ -1,6 +1,23 @@
-"""Scenes at a time."""
+"""Scenes from files, and scenes at a time."""
+
+import warnings
 
 from . import _firsthit as _core
+
+
+def load(path, *, clip=None, studio=None, scene="", strict=False, crease_angle=30.0):
+    """Reads a scene. What its file says and the scene does not hold is told by warnings.warn, and in scene.warnings.
+
+    clip          the animation of poses: name or number, "none"; None: the first
+    studio        True: lights and background of the studio; None: where the file has no lights of its own
+    scene         of a file with several: its name or number
+    strict        True: a warning is an error
+    crease_angle  degrees; normals that the file does not have are smooth across smaller angles
+    """
+    read = _core.load(path, clip=clip, studio=studio, scene=scene, strict=strict, crease_angle=crease_angle)
+    for text in read.warnings:
+        warnings.warn(text, stacklevel=2)
+    return read
 
 
 def posed(self, time=0.0, clip=None, *, camera=0, world=None, threads=0):

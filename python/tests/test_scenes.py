@@ -44,6 +44,16 @@ def test_errors_say_what_and_are_of_pythons_kinds(tmp_path):
     assert issubclass(fh.ArgumentError, ValueError) and issubclass(fh.SceneError, fh.Error)
 
 
+def test_what_is_left_out_is_warned_of(tmp_path):
+    path = tmp_path / "nan.obj"
+    path.write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n")
+    with pytest.warns(UserWarning):
+        scene = fh.load(str(path))
+    assert scene.triangle_count == 1 and scene.warnings
+    with pytest.raises(fh.FileError):
+        fh.load(str(path), strict=True)
+
+
 def test_instances_of_one_mesh(front):
     builder = fh.SceneBuilder("two")
     mesh = builder.add_mesh([[-0.4, -0.4, 0], [0.4, -0.4, 0], [0, 0.4, 0]], [[0, 1, 2]])
