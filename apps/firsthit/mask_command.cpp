@@ -26,6 +26,7 @@ constexpr const char* kMaskExamples = R"(Examples:
   firsthit mask builtin:robots -o masks.json
   firsthit mask town.glb -o masks.json --by node --picture town.png
   firsthit mask walk.glb -o masks.json --frames clip --picture walk_%04d.png
+  firsthit mask town.glb -o masks.json --camera transforms.json --picture town_%04d.png
   firsthit mask builtin:robots -o - --counts list --no-visibility
 
 The file has the layout of the COCO data set, as pycocotools and detectron2 read it: images,
@@ -43,22 +44,6 @@ bool parse_counts(const std::string& text)
     if (text == "compressed") return true;
     if (text == "list") return false;
     throw UsageError(fmt::format("'{}' is not accepted: compressed or list", text));
-}
-
-bool mask_has_pictures(const MaskOptions& options)
-{
-    return options.frames.several() || options.camera.turntable > 0;
-}
-
-/// The frames, also of a turntable, which all show one time.
-Frames mask_frames(const MaskOptions& options, const Scene& scene, const PoseSettings& pose)
-{
-    Frames frames = frames_of(options.frames, scene, pose, options.scene.fps);
-    for (int k = 1; k < options.camera.turntable; ++k) {
-        frames.time_s.push_back(frames.time_s[0]);
-        frames.number.push_back(k);
-    }
-    return frames;
 }
 
 /// Whose ids these are, seen pixels and those that would be.
@@ -101,39 +86,31 @@ void add_mask_options(CLI::App& app, MaskOptions& options)
     app.add_flag_callback(
         "--no-visibility", [&options] { options.visibility = false; },
         "Leave out what would be seen if objects were alone, which takes a small picture for each");
-    CLI::Option* frames = add_frame_choice(app, options.frames);
-    add_camera_options(app, options.camera);
-    const auto parse_turn = [](const std::string& text) { return parse_integer(text, 1, 100000); };
-    add_parsed(app, "--turntable", options.camera.turntable, parse_turn, "N",
-        "N pictures of one turn around the scene, at one time")
-        ->excludes(frames);
-    const auto parse_threads = [](const std::string& text) { return parse_integer(text, 0, 1024); };
-    add_parsed(app, "--threads", options.threads, parse_threads, "N",
-        "Threads, 0 to 1024; default 0: one for each core");
+    add_picture_set_options(app, options);
     app.footer(kMaskExamples);
 }
 
 void check(const MaskOptions& options)
 {
     if (options.output != "-") check_output_path(options.output);
-    if (mask_has_pictures(options) && options.picture != MaskOptions().picture)
+    if (options.several() && options.picture != MaskOptions().picture)
         (void)FramePattern(options.picture);
 }
 
 int run_mask(const MaskOptions& given)
 {
-    check(given);
     MaskOptions options = given;
+    read_files(options);
+    check(options);
     options.scene.fps_of_frames = options.frames.clip || !options.frames.numbers.empty();
-    if (mask_has_pictures(options) && options.picture == MaskOptions().picture)
+    if (options.several() && options.picture == MaskOptions().picture)
         options.picture = "picture_%04d.png";
     SceneSource source(options.scene);
     std::shared_ptr<const Scene> scene = source.first();
     take_size(*scene, options.camera);
-    if (options.output != "-")
-        firsthit::check_inputs_stay(std::vector{options.output}, scene->files);
+    if (options.output != "-") check_output_replaces_nothing(options, *scene, {options.output});
     PoseSettings chosen = pose_settings(options.scene.pose, *scene);
-    const Frames frames = mask_frames(options, *scene, chosen);
+    const Frames frames = frames_of(options, options.frames, *scene, chosen);
     Renderer renderer(options.threads);
     ViewMaker views(options.camera, options.scene.name);
     CocoFile file(std::string(aov_name(options.kind)), options.compressed);
@@ -146,7 +123,7 @@ int run_mask(const MaskOptions& given)
             renderer.pose(scene, chosen, world);
             const View view = views.view(world, k);
             MaskedPicture picture = mask_picture(renderer, world, view, options);
-            picture.file_name = mask_has_pictures(options)
+            picture.file_name = options.several()
                                     ? FramePattern(options.picture).name(frames.number[k])
                                     : options.picture;
             file.add(mask_objects(*scene, options.kind), picture);

@@ -1,9 +1,7 @@
 // mask_command.h - `firsthit mask`: masks of what is seen, for data sets.
 #pragma once
 
-#include "options/camera_options.h"
-#include "inputs/frame_choice.h"
-#include "options/scene_options.h"
+#include "options/picture_set_options.h"
 
 #include <firsthit/film.h>
 
@@ -15,21 +13,17 @@ class App;
 
 namespace firsthit::cli {
 
-struct MaskOptions {
-    SceneOptions scene;
-    CameraOptions camera;
-    FrameChoice frames;
+struct MaskOptions : PictureSetOptions {
     Aov kind = Aov::instance;
     std::string output; // "-": standard output
     std::string picture = "picture.png";
     bool compressed = true;
     bool visibility = true;
-    int threads = 0;
 };
 
 void add_mask_options(CLI::App& app, MaskOptions& options);
 
-/// Finds what cannot work before the scene is loaded.
+/// Finds what cannot work before the scene is loaded. After read_files.
 /// throws  UsageError, FileError
 void check(const MaskOptions& options);
 

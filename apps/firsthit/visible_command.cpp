@@ -27,6 +27,7 @@ constexpr const char* kVisibleExamples = R"(Examples:
   firsthit visible builtin:robots > seen.csv
   firsthit visible part.stl --view top -o seen.json
   firsthit visible part.stl --turntable 72 -o pixels.npy
+  firsthit visible town.glb --camera transforms.json -o seen.csv
 
 Counts the pixels whose ray through their centre sees each triangle first; of several frames all
 of their pixels together. Triangles are numbered as in the plane `item`, in file order.
@@ -103,18 +104,17 @@ std::string seen_npy(const SeenCount& count)
 SeenCount count_seen(const VisibleOptions& given)
 {
     VisibleOptions options = given;
+    read_files(options);
     options.scene.fps_of_frames = options.frames.clip || !options.frames.numbers.empty();
     SceneSource source(options.scene);
     SeenCount count;
     count.scene = source.first();
     take_size(*count.scene, options.camera);
     if (!options.output.empty() && options.output != "-")
-        firsthit::check_inputs_stay(std::vector{options.output}, count.scene->files);
+        check_output_replaces_nothing(options, *count.scene, {options.output});
     count.pixels.resize(count.scene->triangle_count());
     PoseSettings chosen = pose_settings(options.scene.pose, *count.scene);
-    Frames frames = frames_of(options.frames, *count.scene, chosen, options.scene.fps);
-    if (options.camera.turntable > 0)
-        frames.time_s.assign(std::size_t(options.camera.turntable), frames.time_s[0]);
+    const Frames frames = frames_of(options, options.frames, *count.scene, chosen);
     Renderer renderer(options.threads);
     ViewMaker views(options.camera, options.scene.name);
     Settings settings;
@@ -165,15 +165,7 @@ void add_visible_options(CLI::App& app, VisibleOptions& options)
         ->type_name("FILE");
     add_parsed(app, "--output-format", options.format, parse_seen_format, "csv|json|npy",
         "The format, whatever the file is called");
-    CLI::Option* frames = add_frame_choice(app, options.frames);
-    add_camera_options(app, options.camera);
-    const auto parse_turn = [](const std::string& text) { return parse_integer(text, 1, 100000); };
-    add_parsed(app, "--turntable", options.camera.turntable, parse_turn, "N",
-        "N pictures of one turn around the scene, at one time")
-        ->excludes(frames);
-    const auto parse_threads = [](const std::string& text) { return parse_integer(text, 0, 1024); };
-    add_parsed(app, "--threads", options.threads, parse_threads, "N",
-        "Threads, 0 to 1024; default 0: one for each core");
+    add_picture_set_options(app, options);
     app.footer(kVisibleExamples);
 }
 

@@ -1,9 +1,7 @@
 // visible_command.h - `firsthit visible`: which triangles are seen, and by how many pixels.
 #pragma once
 
-#include "options/camera_options.h"
-#include "inputs/frame_choice.h"
-#include "options/scene_options.h"
+#include "options/picture_set_options.h"
 
 #include <cstdint>
 #include <span>
@@ -16,13 +14,9 @@ class App;
 
 namespace firsthit::cli {
 
-struct VisibleOptions {
-    SceneOptions scene;
-    CameraOptions camera;
-    FrameChoice frames;
+struct VisibleOptions : PictureSetOptions {
     std::string output; // empty or "-": standard output
     std::string format; // "csv", "json" or "npy"; empty: by the output's ending, else csv
-    int threads = 0;
 };
 
 /// A triangle that is seen.

@@ -3,18 +3,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-# expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr.
-expect()
-{
-    local code=$1 pattern=$2 actual=0
-    shift 2
-    timeout 300 "$program" bench "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq "$code" ] || fail "firsthit bench $*: exit code $actual, not $code: $(head -c 300 stderr)"
-    grep -qE -- "$pattern" stdout stderr || \
-        fail "firsthit bench $*: no '$pattern' in: $(head -c 300 stdout stderr)"
-}
-
 # expect_files NAME... : exactly these beside what expect() writes, and removes them.
 expect_files()
 {
@@ -45,29 +33,29 @@ expect_page()
 
 quick=(--quick --size 48x32 --scenes 'no & <where>')
 
-expect 0 'Robert and Schoepke' --help
-expect 2 'nothing is asked for: say --paper, --baseline or both'
-expect 2 'Run firsthit bench --help' --paper --fast
-expect 2 '--rounds' --paper --rounds 0
-expect 1 'nothing/Robot.aff: cannot be read' --paper --bart nothing/Robot.aff
-expect 1 'x.json' --paper --json nothing/x.json
+expect 0 'Robert and Schoepke' bench --help
+expect 2 'nothing is asked for: say --paper, --baseline or both' bench
+expect 2 'Run firsthit bench --help' bench --paper --fast
+expect 2 '--rounds' bench --paper --rounds 0
+expect 1 'nothing/Robot.aff: cannot be read' bench --paper --bart nothing/Robot.aff
+expect 1 'x.json' bench --paper --json nothing/x.json
 : >file
-expect 1 'is no folder' --paper -o file
-expect 1 'is no folder' --paper -o file/below
+expect 1 'is no folder' bench --paper -o file
+expect 1 'is no folder' bench --paper -o file/below
 expect_files file
 echo x >broken.aff
 for mode in --paper --baseline; do
-    expect 1 'broken.aff:2:' "$mode" "${quick[@]}" --bart broken.aff -o new/deep
+    expect 1 'broken.aff:2:' bench "$mode" "${quick[@]}" --bart broken.aff -o new/deep
     checks=$((checks + 1))
     [ ! -e new ] || fail "bench $mode leaves an empty folder behind"
     mkdir -p old
-    expect 1 'broken.aff:2:' "$mode" "${quick[@]}" --bart broken.aff -o old/deep
+    expect 1 'broken.aff:2:' bench "$mode" "${quick[@]}" --bart broken.aff -o old/deep
     checks=$((checks + 1))
     [ -d old ] && [ ! -e old/deep ] || fail "bench $mode removes a folder that was there, or leaves its own"
 done
 expect_files broken.aff
 
-expect 0 'The page is out/deep/index.html' --paper "${quick[@]}" -o out/deep/
+expect 0 'The page is out/deep/index.html' bench --paper "${quick[@]}" -o out/deep/
 grep -q 'Table 4' stdout || fail "the tables are not printed"
 grep -q 'no & <where>/bunny.stl is missing' stdout || fail "the missing bunny is not told"
 [ ! -s stderr ] || fail "a run that goes well prints on stderr: $(head -c 300 stderr)"
@@ -100,13 +88,13 @@ find . -mindepth 1 -delete
 
 # JSON alone makes no page; without OpenGL the reason takes the numbers' place.
 export __EGL_VENDOR_LIBRARY_DIRS=/nonexistent
-expect 0 '"unavailable": ".*OpenGL' --paper "${quick[@]}" --json -
+expect 0 '"unavailable": ".*OpenGL' bench --paper "${quick[@]}" --json -
 unset __EGL_VENDOR_LIBRARY_DIRS
 with_python 'import json, sys; json.load(open(sys.argv[1]))["paper"]["table4"]' stdout
 expect_files
 
 # Beside Embree.
-expect 0 'Asked and measured' --baseline "${quick[@]}" -o baseline
+expect 0 'Asked and measured' bench --baseline "${quick[@]}" -o baseline
 grep -q "Whole frames, milliseconds: 48x32, 1 thread" stdout || fail "no table of frames is printed"
 with_python 'import json, sys
 for row in json.load(open(sys.argv[1]))["baseline"]["rows"]:

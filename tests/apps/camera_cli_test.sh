@@ -3,34 +3,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-writes()
-{
-    local actual=0
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq 0 ] || fail "firsthit $*: exit code $actual: $(head -c 300 stderr)"
-}
-
-# refuses CODE PATTERN ARGUMENT... : that exit code, a message, and nothing left behind.
-refuses()
-{
-    local code=$1 pattern=$2 actual=0 before
-    shift 2
-    before=$(ls -A)
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq "$code" ] || fail "firsthit $*: exit code $actual, not $code: $(head -c 300 stderr)"
-    grep -qE -- "$pattern" stderr || fail "firsthit $*: no '$pattern' in: $(head -c 300 stderr)"
-    [ "$(ls -A)" = "$before" ] || fail "firsthit $*: files appeared"
-}
-
-same()
-{
-    checks=$((checks + 1))
-    cmp -s "$1" "$2" || fail "$1 and $2 differ${3:+: $3}"
-}
-
-: >stdout; : >stderr
 size=(--size 60x40)
 
 # --- the same camera in all conventions: the eye at (0, 1, 4), level, looking along -z ---------------
@@ -104,6 +76,31 @@ writes render builtin:torus "${size[@]}" --camera-path path.json -o path_%d.png
 grep -q 'nothing moves' stderr && fail "a camera that moves is warned of"
 writes render builtin:torus "${size[@]}" --camera-path path.json --time 1 -o end.png
 same end.png path_4.png
+
+# --- masks and triangles of such cameras -----------------------------------------------------------
+numbers=(--size 60x40 --eye 0,1,4 --at 0,1,0 --up 0,1,0 --intrinsics 70,70,30,20)
+writes mask builtin:torus "${numbers[@]}" -o by_numbers.json
+writes mask builtin:torus --camera gl.json -o by_file.json
+same by_file.json by_numbers.json "masks by a camera's file"
+writes mask builtin:torus --camera transforms.json --camera-frame 0 -o by_file.json
+same by_file.json by_numbers.json "masks by one camera of a file"
+writes mask builtin:torus --camera transforms.json --picture p_%d.png -o two.json
+expect 0 '' mask builtin:torus --camera transforms.json --picture p_%d.png -o -
+grep -q 'p_1.png' stdout || fail "two cameras make no second picture: $(head -c 300 stdout)"
+writes visible builtin:torus "${numbers[@]}" -o by_numbers.csv
+writes visible builtin:torus --camera gl.json -o by_file.csv
+same by_file.csv by_numbers.csv "triangles seen by a camera's file"
+writes visible builtin:torus --camera gl.json --region 0,0,30,40 -o left.csv
+writes visible builtin:torus --camera gl.json --region 30,0,30,40 -o right.csv
+checks=$((checks + 1))
+[ "$(cat left.csv right.csv | awk -F, '/^[0-9]/ { n += $3 } END { print n }')" = \
+    "$(awk -F, '/^[0-9]/ { n += $3 } END { print n }' by_file.csv)" ] || fail "two halves are not the whole"
+writes visible builtin:torus "${size[@]}" --camera-path path.json -o path.json.csv
+refuses 1 "gl.json: .*the input" mask builtin:torus --camera gl.json -o gl.json
+refuses 1 "gl.json.*the input" visible builtin:torus --camera gl.json --output-format json -o gl.json
+refuses 2 'accepted are as many' mask builtin:torus --camera transforms.json --frames 0:1:3 -o m.json
+refuses 2 'exactly one place' mask builtin:torus --camera transforms.json --picture p.png -o m.json
+refuses 2 'say it or --eye' visible builtin:torus --camera gl.json --eye 0,0,3
 
 # --- wrong input --------------------------------------------------------------------------------
 echo "{$k,\"convention\":\"opengl\",\"camera_to_world\":[[1,0,0,0],[0,1,0,1],[0,0,-1,4],[0,0,0,1]]}" >left.json

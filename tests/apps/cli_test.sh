@@ -3,21 +3,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-# expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr ("" for any).
-expect()
-{
-    local code=$1 pattern=$2 actual=0
-    shift 2
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq "$code" ] || fail "firsthit $*: exit code $actual, not $code: $(head -c 300 stderr)"
-    [ -z "$pattern" ] || grep -qE -- "$pattern" stdout stderr || \
-        fail "firsthit $*: no '$pattern' in: $(head -c 300 stdout stderr)"
-    if [ "$code" -ne 0 ] && [ "$code" -lt 100 ] && [ -s stderr ]; then
-        head -n 1 stderr | grep -q '^firsthit: ' || fail "firsthit $*: an error without 'firsthit: '"
-    fi
-}
-
 # expect_files NAME... : exactly these beside the test's own.
 expect_files()
 {
@@ -27,21 +12,6 @@ expect_files()
     checks=$((checks + 1))
     [ "$found" = "$expected" ] || fail "files: '$found', not '$*'"
     find . -mindepth 1 ! -name stdout ! -name stderr ! -path './input*' -delete
-}
-
-# starts FILE BYTES : the file's first bytes, in hexadecimal.
-starts()
-{
-    checks=$((checks + 1))
-    [ "$(od -An -tx1 -N $((${#2} / 2)) "$1" | tr -d ' \n')" = "$2" ] || fail "$1 does not start with $2"
-}
-
-# npy FILE TYPE SHAPE HEX : a NumPy array with these bytes.
-npy()
-{
-    local header="{'descr': '$2', 'fortran_order': False, 'shape': $3, }"
-    { printf '\x93NUMPY\x01\x00%b' "\\x$(printf %02x $((${#header} + 1)))\\x00"
-      printf '%s\n' "$header"; printf '%b' "$(printf %s "$4" | sed 's/../\\x&/g')"; } >"$1"
 }
 
 mkdir -p input/folder.png
@@ -174,8 +144,8 @@ done
 for value in 0 17 -1 two 1.5; do
     expect 2 '--samples' render builtin:torus -o a.png --samples "$value"
 done
-for value in 0 17 -1 two 1.5; do
-    expect 2 '--interleave' render builtin:torus -o a.png --interleave "$value"
+for value in 0 3 17 32 -1 two 1.5 02; do
+    expect 2 '--interleave.*accepted: 1, 2, 4, 8 or 16' render builtin:torus -o a.png --interleave "$value"
 done
 expect 2 'none, lazy3, lazy5, full3, full5 or exact' render builtin:torus -o a.png --multisample lazy7
 expect 2 '--interleave' render builtin:torus -o a.png --interleave 2 --samples 2

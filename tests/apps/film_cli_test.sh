@@ -4,18 +4,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-# expect CODE PATTERN ARGUMENT... : the exit code, and a pattern in stdout or stderr ("" for any).
-expect()
-{
-    local code=$1 pattern=$2 actual=0
-    shift 2
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq "$code" ] || fail "firsthit $*: exit code $actual, not $code: $(head -c 300 stderr)"
-    [ -z "$pattern" ] || grep -qE -- "$pattern" stdout stderr || \
-        fail "firsthit $*: no '$pattern' in: $(head -c 300 stdout stderr)"
-}
-
 # nothing_left NAME : neither the film nor a part of it.
 nothing_left()
 {

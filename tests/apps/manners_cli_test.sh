@@ -4,17 +4,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-expect()
-{
-    local code=$1 pattern=$2 actual=0
-    shift 2
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq "$code" ] || fail "firsthit $*: exit code $actual, not $code: $(head -c 300 stderr)"
-    [ -z "$pattern" ] || grep -qE -- "$pattern" stdout stderr || \
-        fail "firsthit $*: no '$pattern' in: $(head -c 300 stdout stderr)"
-}
-
 # in_terminal COLUMNS ARGUMENT... : what the program writes to a terminal of that width, into the file `seen`.
 in_terminal()
 {

@@ -4,43 +4,6 @@
 # shellcheck source=tests/apps/cli_checks.sh
 source "$(dirname "$0")/cli_checks.sh"
 
-# Everything in the folder: names, links, permissions, bytes.
-state()
-{
-    find . ! -name stdout ! -name stderr -printf '%P %y %m %l\n' | sort
-    find . -type f ! -name stdout ! -name stderr -exec md5sum {} + | sort
-}
-
-# refuses PATTERN ARGUMENT... : exit code 1, a message, and nothing that is there changes.
-refuses()
-{
-    local pattern=$1 actual=0 before
-    shift
-    before=$(state)
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq 1 ] || fail "firsthit $*: exit code $actual, not 1: $(head -c 300 stderr)"
-    grep -qE -- "$pattern" stderr || fail "firsthit $*: no '$pattern' in: $(head -c 300 stderr)"
-    [ "$(state)" = "$before" ] || fail "firsthit $*: files changed: $(diff <(echo "$before") <(state))"
-}
-
-# writes ARGUMENT... : exit code 0.
-writes()
-{
-    local actual=0
-    timeout 120 "$program" "$@" >stdout 2>stderr </dev/null || actual=$?
-    checks=$((checks + 1))
-    [ "$actual" -eq 0 ] || fail "firsthit $*: exit code $actual: $(head -c 300 stderr)"
-}
-
-# npy FILE TYPE SHAPE HEX : a NumPy array with these bytes.
-npy()
-{
-    local header="{'descr': '$2', 'fortran_order': False, 'shape': $3, }"
-    { printf '\x93NUMPY\x01\x00%b' "\\x$(printf %02x $((${#header} + 1)))\\x00"
-      printf '%s\n' "$header"; printf '%b' "$(printf %s "$4" | sed 's/../\\x&/g')"; } >"$1"
-}
-
 # --- inputs stay --------------------------------------------------------------------------------
 # Files of the scenes have the endings of outputs, so that no ending is what is refused.
 writes render builtin:torus --size 4x4 -o tex.png
@@ -58,20 +21,20 @@ ln -s . sub
 cd aff && ln -s ../TextureFiles/far.png far_link.png && cd ..
 
 small=(--size 8x8)
-refuses "tex.png: cannot write: it would replace the input '(./)?tex.png'" render t.obj "${small[@]}" -o tex.png
-refuses "symbolic.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o symbolic.png
-refuses "hard.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o hard.png
-refuses "sub/./tex.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o sub/./tex.png
-refuses "$PWD/tex.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o "$PWD/tex.png"
-refuses "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" -o t.exr
-refuses "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" -o fresh.png --aov depth=t.exr
-refuses "t.obj: .* the input 't.obj'" render t.obj "${small[@]}" -o fresh.png --stats-json t.obj
-refuses "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" --stats-json t.exr
-refuses "tex_0002.png: .* the input '(./)?tex_0002.png'" render t.obj "${small[@]}" --frames 0:1:4 -o tex_%04d.png
-refuses "aff/part.exr: .* the input 'aff/part.exr'" render aff/main.aff "${small[@]}" -o aff/part.exr
-refuses "far.png: .* the input 'aff/[.][.]/TextureFiles/far.png'" \
+refuses 1 "tex.png: cannot write: it would replace the input '(./)?tex.png'" render t.obj "${small[@]}" -o tex.png
+refuses 1 "symbolic.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o symbolic.png
+refuses 1 "hard.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o hard.png
+refuses 1 "sub/./tex.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o sub/./tex.png
+refuses 1 "$PWD/tex.png: .* the input '(./)?tex.png'" render t.obj "${small[@]}" -o "$PWD/tex.png"
+refuses 1 "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" -o t.exr
+refuses 1 "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" -o fresh.png --aov depth=t.exr
+refuses 1 "t.obj: .* the input 't.obj'" render t.obj "${small[@]}" -o fresh.png --stats-json t.obj
+refuses 1 "t.exr: .* the input '(./)?t.exr'" render t.obj "${small[@]}" --stats-json t.exr
+refuses 1 "tex_0002.png: .* the input '(./)?tex_0002.png'" render t.obj "${small[@]}" --frames 0:1:4 -o tex_%04d.png
+refuses 1 "aff/part.exr: .* the input 'aff/part.exr'" render aff/main.aff "${small[@]}" -o aff/part.exr
+refuses 1 "far.png: .* the input 'aff/[.][.]/TextureFiles/far.png'" \
     render aff/main.aff "${small[@]}" -o TextureFiles/far.png
-refuses "aff/far_link.png: .* the input" render aff/main.aff "${small[@]}" -o aff/far_link.png
+refuses 1 "aff/far_link.png: .* the input" render aff/main.aff "${small[@]}" -o aff/far_link.png
 writes render t.obj "${small[@]}" --frames 0:1:2 -o tex_%04d.png
 rm tex_0000.png tex_0001.png
 
@@ -86,15 +49,15 @@ sed -i 's/t\.exr/library.npy/' by_library.obj
 occlusion=(--points points.npy --directions directions.npy --receivers receivers.npy)
 writes occlusion by_library.obj "${occlusion[@]}" -o answers.npy
 for input in points directions receivers library; do
-    refuses "$input.npy: .* the input '(./)?$input.npy'" occlusion by_library.obj "${occlusion[@]}" -o $input.npy
+    refuses 1 "$input.npy: .* the input '(./)?$input.npy'" occlusion by_library.obj "${occlusion[@]}" -o $input.npy
 done
-refuses "points_too.npy: .* the input 'points.npy'" occlusion by_library.obj "${occlusion[@]}" -o points_too.npy
+refuses 1 "points_too.npy: .* the input 'points.npy'" occlusion by_library.obj "${occlusion[@]}" -o points_too.npy
 
-refuses "aff/main.aff: .* the input 'aff/main.aff'" bench --paper --quick --bart aff/main.aff --json aff/main.aff
-refuses "aff/part.exr: .* the input 'aff/part.exr'" bench --baseline --quick --bart aff/main.aff --json aff/part.exr
+refuses 1 "aff/main.aff: .* the input 'aff/main.aff'" bench --paper --quick --bart aff/main.aff --json aff/main.aff
+refuses 1 "aff/part.exr: .* the input 'aff/part.exr'" bench --baseline --quick --bart aff/main.aff --json aff/part.exr
 mkdir report
 ln aff/main.aff report/bench.json
-refuses "report/bench.json: .* the input 'aff/main.aff'" bench --paper --quick --bart aff/main.aff -o report
+refuses 1 "report/bench.json: .* the input 'aff/main.aff'" bench --paper --quick --bart aff/main.aff -o report
 
 # --- links and permissions ----------------------------------------------------------------------
 ln -s real.png link.png
@@ -103,11 +66,11 @@ if [ ! -L link.png ] || [ ! -f real.png ] || [ -L real.png ]; then fail "a link 
 chmod 600 real.png
 writes render builtin:torus "${small[@]}" -o link.png
 if [ ! -L link.png ] || [ "$(stat -c %a real.png)" != 600 ]; then fail "a file's permissions are not kept"; fi
-refuses "'none' does not exist" render builtin:torus "${small[@]}" -o none/a.png
+refuses 1 "'none' does not exist" render builtin:torus "${small[@]}" -o none/a.png
 ln -s none/a.png astray.png
-refuses "astray.png: .*folder 'none' does not exist" render builtin:torus "${small[@]}" -o astray.png
+refuses 1 "astray.png: .*folder 'none' does not exist" render builtin:torus "${small[@]}" -o astray.png
 ln -s circle.png circle.png
-refuses 'Too many levels of symbolic links' render builtin:torus "${small[@]}" -o circle.png
+refuses 1 'Too many levels of symbolic links' render builtin:torus "${small[@]}" -o circle.png
 "$program" render builtin:torus "${small[@]}" -o /dev/stdout 2>stderr | cmp -s - real.png || \
     fail "a picture to a pipe is another: $(cat stderr)"
 mkfifo pipe.png

@@ -38,8 +38,9 @@ void add_pose_options(CLI::App& app, PoseOptions& options)
            "The animation, by name or number, or none: the scene at rest; default the first")
         ->type_name("NAME|N");
     app.add_option("--camera", options.camera,
-           "The scene's camera, by name or number; default the first. Of render "
-           "also a file or folder of calibrated cameras (docs/cameras.md): .json with K, NeRF's "
+           "The scene's camera, by name or number; default the first. Of render, mask "
+           "and visible also a file or folder of calibrated cameras (docs/cameras.md): .json with "
+           "K, NeRF's "
            "transforms.json, COLMAP's text files")
         ->type_name("NAME|N|FILE");
 }

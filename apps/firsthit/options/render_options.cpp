@@ -2,7 +2,6 @@
 #include "options/render_options.h"
 
 #include "films/film_writer.h"
-#include "inputs/camera_files.h"
 #include "inputs/frame_pattern.h"
 #include "common/add_parsed.h"
 #include "common/usage.h"
@@ -149,39 +148,25 @@ std::vector<std::string> outputs(const RenderOptions& options)
 
 bool is_film(const RenderOptions& options)
 {
-    return is_film_path(options.output, options.frames.several() || options.camera.turntable > 0 ||
-                                            options.camera.cameras.size() > 1);
+    return is_film_path(options.output, options.several());
 }
 
 bool is_numbered(const RenderOptions& options)
 {
-    return options.frames.several() || options.camera.turntable > 0 ||
-           options.camera.cameras.size() > 1 || is_film(options);
+    return options.several() || is_film(options);
 }
 
 Frames frames_of(const RenderOptions& options, const Scene& scene, const PoseSettings& pose)
 {
     FrameChoice choice = options.frames;
-    const std::size_t cameras = options.camera.cameras.size();
-    if (is_film(options) && !choice.several() && options.camera.turntable == 0 && cameras < 2) {
+    if (is_film(options) && !options.several()) {
         choice.clip = true;
         if (!(scene.end_s(pose.clip) > scene.begin_s(pose.clip)))
             throw UsageError(
                 fmt::format("{}: nothing moves in {}: say --turntable N to go round it",
                     options.output, options.scene.name));
     }
-    Frames frames = frames_of(choice, scene, pose, options.scene.fps);
-    const bool each = cameras > 1 && !choice.several(); // a picture for each camera
-    if (cameras > 1 && choice.several() && frames.size() != cameras)
-        throw UsageError(
-            fmt::format("--frames has {} times and the file {} cameras: accepted are as many, or "
-                        "one camera by --camera-frame",
-                frames.size(), cameras));
-    for (int k = 1; k < (each ? int(cameras) : options.camera.turntable); ++k) {
-        frames.time_s.push_back(frames.time_s[0]);
-        frames.number.push_back(k);
-    }
-    return frames;
+    return frames_of(options, choice, scene, pose);
 }
 
 void check_memory(const RenderOptions& options, std::size_t lights)
@@ -212,15 +197,10 @@ void add_render_options(CLI::App& app, RenderOptions& options)
            "A plane and its file, .exr or .npy, of depth and distance also .png; may be repeated")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
-    CLI::Option* frames = add_frame_choice(app, options.frames);
     const auto integer = [](int low, int high) {
         return [low, high](const std::string& text) { return parse_integer(text, low, high); };
     };
-    add_camera_options(app, options.camera);
-    add_camera_file_options(app, options.camera);
-    add_parsed(app, "--turntable", options.camera.turntable, integer(1, 100000), "N",
-        "N frames of one turn around the scene, at one time. Files are numbered as by --frames")
-        ->excludes(frames);
+    add_picture_set_options(app, options);
     add_data_options(app, options.data);
     add_light_options(app, options.light);
     add_sky_options(app, options.sky);
@@ -236,23 +216,12 @@ void add_render_options(CLI::App& app, RenderOptions& options)
         "Who makes the picture: cpu, exactly; hybrid, items and shadow maps by OpenGL and rays by "
         "the CPU; gpu, all by OpenGL; auto, gpu where OpenGL runs on hardware; default cpu");
     add_engine_options(app, options.engine);
-    add_parsed(app, "--threads", options.threads, integer(0, 1024), "N",
-        "Threads, 0 to 1024; default 0: one for each core");
     add_parsed(app, "--tile-size", options.tile_size, parse_tile_size, "N",
         "Pixels on a tile's side, a multiple of 8 from 8 to 128; default 64");
     app.add_flag("--stats", options.stats, "Print milliseconds by stage and counts");
     app.add_option("--stats-json", options.stats_json, "Write them as JSON; - is standard output")
         ->type_name("FILE");
     app.footer(kExamples);
-}
-
-void read_files(RenderOptions& options)
-{
-    CameraOptions& camera = options.camera;
-    take_cameras(options.scene.pose, camera, options.files);
-    if (camera.path && !options.frames.several() && !options.frames.time_s &&
-        camera.path->keys.size() > 1)
-        options.frames.times = path_times(*camera.path);
 }
 
 void check(const RenderOptions& options)
@@ -313,16 +282,13 @@ std::string file_name(const RenderOptions& options, const std::string& text, int
 
 void check_inputs_stay(const RenderOptions& options, const Scene& scene)
 {
-    std::vector<std::string> inputs = scene.files;
-    inputs.insert(inputs.end(), options.files.begin(), options.files.end());
-    if (inputs.empty()) return;
     const Frames frames = frames_of(options, scene, pose_settings(options.scene.pose, scene));
     std::vector<std::string> names;
     for (const std::string& name : outputs(options))
         for (const int number : frames.number) names.push_back(file_name(options, name, number));
     for (const std::string& name : {options.data.manifest, options.stats_json})
         if (!name.empty() && name != "-") names.push_back(name);
-    firsthit::check_inputs_stay(names, inputs);
+    check_output_replaces_nothing(options, scene, names);
 }
 
 int adaptive_samples(const RenderOptions& options)

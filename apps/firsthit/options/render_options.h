@@ -1,15 +1,13 @@
 // render_options.h - what `firsthit render` was asked for.
 #pragma once
 
-#include "options/camera_options.h"
+#include "common/parse.h"
 #include "options/data_options.h"
 #include "options/engine_options.h"
 #include "options/environment_options.h"
-#include "inputs/frame_choice.h"
 #include "options/light_options.h"
 #include "options/picture_options.h"
-#include "common/parse.h"
-#include "options/scene_options.h"
+#include "options/picture_set_options.h"
 #include "options/sky_options.h"
 
 #include <firsthit/render.h>
@@ -25,32 +23,24 @@ class App;
 
 namespace firsthit::cli {
 
-struct RenderOptions {
-    SceneOptions scene;
-    CameraOptions camera;
+/// Frames: none chosen is one picture, or of a film the whole clip.
+struct RenderOptions : PictureSetOptions {
     LightOptions light;
     EnvironmentOptions environment;
     SkyOptions sky;
     EngineOptions engine;
     PictureChoices picture;
-    std::vector<std::string> files; // that options name and that were read
-    std::string output;             // empty: no picture; "-": standard output
+    std::string output; // empty: no picture; "-": standard output
     std::vector<AovOutput> aovs;
     DataOptions data;
-    FrameChoice frames;          // none chosen: one picture, or of a film the whole clip
     std::optional<int> samples;  // N x N everywhere; none: see adaptive
     std::optional<int> adaptive; // N x N where there are edges; none: adaptive_samples
-    int threads = 0;
     int tile_size = 64;
     bool stats = false;
     std::string stats_json; // empty: none; "-": stdout
 };
 
 void add_render_options(CLI::App& app, RenderOptions& options);
-
-/// Reads the files that options name: those of cameras. Before check.
-/// throws  as take_cameras; UsageError: as many times of --frames as cameras are accepted, or one camera
-void read_files(RenderOptions& options);
 
 /// Finds what cannot work before the scene is loaded.
 /// throws  UsageError: nothing is asked for, an ending, a pattern of frames, a file named twice, an
@@ -67,14 +57,15 @@ void check_inputs_stay(const RenderOptions& options, const Scene& scene);
 /// The name of a file for one frame: numbered where there are several.
 std::string file_name(const RenderOptions& options, const std::string& text, int frame);
 
-/// Whether there is more than one frame: --frames, --turntable, or a film.
+/// Whether there is more than one frame: several pictures, or a film.
 bool is_numbered(const RenderOptions& options);
 
 /// Whether the picture is a film.
 bool is_film(const RenderOptions& options);
 
-/// The frames of a scene, also those of a turntable, which all show one time.
-/// pose  of the chosen clip, at its begin
+/// The frames of a scene; those of a film that chooses none are the whole clip.
+/// pose    of the chosen clip, at its begin
+/// throws  UsageError: nothing moves in a film; as frames_of of picture sets
 Frames frames_of(const RenderOptions& options, const Scene& scene, const PoseSettings& pose);
 
 /// The planes' files and the picture's, as they were typed.
