@@ -46,8 +46,8 @@ struct Settings : ShadowOptions {
                            // not divided by it, and hold Scene::background where it is below 1
     std::vector<Aov> aovs; // the planes to make
     int tile_size = 64;    // pixels, a multiple of 8 from 8 to 128
-    int interleave = 1;    // N: shoots every N-th primary ray and interpolates the pixels
-                           // between (section 4.1), 1 to 16; needs samples = 1
+    int interleave = 1;    // N: shoots one primary ray in N pixels and interpolates the pixels
+                           // between (section 4.1); 1, 2, 4, 8 or 16; needs samples = 1
     Multisample multisample = Multisample::lazy3; // item repair of the OpenGL engines
     bool interpolate = true; // fills pixels whose triangle is not found from the pixels around them
     Sky sky;                 // light from all of the sky; off by default

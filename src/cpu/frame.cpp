@@ -8,9 +8,11 @@
 #include "cpu/film_planes.h"
 #include "cpu/tile_stages.h"
 #include "film/film_size.h"
+#include "film/spread_pixels.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace firsthit {
 namespace {
@@ -45,7 +47,8 @@ bool begin_part(const FramePart& part)
     const FrameContext& frame = part.frame;
     const PassPlan& pass = part.pass;
     FrameMemory& memory = part.memory;
-    lay_out(pencil_of(frame.view, part.pixels, pass.samples), pass.tile_size, memory.view);
+    lay_out(
+        pencil_of(frame.view, part.pixels, pass.samples, frame.steps), pass.tile_size, memory.view);
     if (pass.only && !find_marked(part)) return false;
     const std::size_t tiles = tiles_of(part);
     if (tiles == 0) return true;
@@ -202,7 +205,6 @@ void prepare(const FrameContext& frame, const PassPlan& pass, FrameMemory& memor
     for (const auto& worker : memory.workers) {
         resize(worker->items, pass.tile_size);
         resize(worker->shade, pass.tile_size, pass.color, pass.aovs);
-        if (pass.packing) resize(worker->packed, pass.tile_size, lights);
         if (pass.only)
             worker->wanted.resize(
                 std::size_t(pass.tile_size) * std::size_t(pass.tile_size) / kBlockSamples);
@@ -235,6 +237,66 @@ void collect(FrameMemory& memory, int threads, Stats& stats)
     add_sky_stats(memory.sky, stats);
 }
 
+/// A pass of a frame.
+struct FramePass {
+    const FramePlan& plan;
+    const PassPlan& pass;
+    ItemSource& items;
+    FrameMemory& memory;
+};
+
+/// Renders the frame's region part by part, and fills holes.
+void render_pass(const FrameContext& frame, const FramePass& of, Stats& stats)
+{
+    const Region& all = frame.view.region;
+    const PassPlan& pass = of.pass;
+    prepare(frame, pass, of.memory);
+    const int side = pass.part_side;
+    for (int y = 0; y < all.height; y += side)
+        for (int x = 0; x < all.width; x += side)
+            render_part({frame, of.plan, pass, of.items, of.memory,
+                            {all.x + x, all.y + y, std::min(side, all.width - x),
+                                std::min(side, all.height - y)}},
+                stats);
+    if (pass.edges) pass.edges->find_neighbours(of.memory.view);
+    if (!pass.fill) return;
+    Stopwatch watch;
+    stats.interpolated += interpolate_holes(of.memory.holes, frame.tasks, frame.film);
+    stats.shade_ms += watch.lap_ms();
+}
+
+/// Renders the shot pixels as a picture of their own, and makes the colours of the frame's film from it.
+/// spread  whether pixels that are not shot get the colours around them; otherwise they are background
+void render_shot(const FrameContext& frame, const FramePass& of, bool spread, Stats& stats)
+{
+    constexpr std::size_t kRows = 16; // rows of a task
+    const Region& all = frame.view.region;
+    const PixelSteps& steps = of.pass.steps;
+    View view = frame.view;
+    view.region = steps.shot(all);
+    std::vector<float>& color = frame.film.color.value;
+    const glm::vec3& background = frame.world.scene->background;
+    const bool none = view.region.width <= 0 || view.region.height <= 0;
+    if (!spread || none)
+        for (std::size_t k = 0; k < color.size(); ++k) color[k] = background[int(k % 3)];
+    if (none) return;
+    Film& film = of.memory.shot;
+    resize(film, view.region, {true, {}, 0});
+    render_pass({frame.world, view, frame.tasks, film, frame.progress, steps}, of, stats);
+    Stopwatch watch;
+    const SpreadPicture picture{steps, all, film.color.value, color};
+    std::atomic<std::uint64_t> made{0};
+    frame.tasks.for_ranges(
+        std::size_t(all.height), kRows, [&](std::size_t first, std::size_t last) {
+            if (spread)
+                made += spread_pixels(picture, int(first), int(last));
+            else
+                place_pixels(picture, int(first), int(last));
+        });
+    stats.interpolated += made;
+    stats.shade_ms += watch.lap_ms();
+}
+
 } // namespace
 
 void render_frame(const FrameContext& frame, const Settings& settings, FrameMemory& memory,
@@ -264,19 +326,10 @@ void render_surfaces(const FrameContext& frame, const Settings& settings, FrameM
     collect(memory, 1, cancelled);
     frame.begin(plan.work(all));
     for (const PassPlan& pass : plan.passes()) {
-        prepare(frame, pass, memory);
-        const int side = pass.part_side;
-        for (int y = 0; y < all.height; y += side)
-            for (int x = 0; x < all.width; x += side)
-                render_part({frame, plan, pass, items, memory,
-                                {all.x + x, all.y + y, std::min(side, all.width - x),
-                                    std::min(side, all.height - y)}},
-                    stats);
-        if (pass.edges) pass.edges->find_neighbours(memory.view);
-        if (!pass.fill) continue;
-        Stopwatch watch;
-        stats.interpolated += interpolate_holes(memory.holes, frame.tasks, frame.film);
-        stats.shade_ms += watch.lap_ms();
+        if (pass.steps.all())
+            render_pass(frame, {plan, pass, items, memory}, stats);
+        else
+            render_shot(frame, {plan, pass, items, memory}, settings.interpolate, stats);
     }
     collect(memory, frame.tasks.threads(), stats);
 }

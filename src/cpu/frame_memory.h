@@ -4,7 +4,6 @@
 #include "cpu/adaptive/adaptive_frame.h"
 #include "cpu/holes.h"
 #include "cpu/layers.h"
-#include "cpu/packed_tile.h"
 #include "hits/resolve_tile.h"
 #include "shade/shade_tile.h"
 #include "shadow/light_visibility_stage.h"
@@ -30,7 +29,6 @@ struct TileWorker {
     Buffer<std::uint64_t> wanted; // (blocks) TileItems::wanted of a pass over marked pixels
     ShadeMemory shade;
     Buffer<float> lit; // (lights, samples) of a tile, see LightVisibility
-    PackedTile packed; // for interleaved pictures
     double raster_ms = 0, resolve_ms = 0, shadow_ms = 0, shade_ms = 0;
     TileCounts counts;
     std::uint64_t hit_count = 0;
@@ -51,6 +49,7 @@ struct FrameMemory {
     HoleMemory holes;
     LayerMemory layers;
     AdaptiveMemory adaptive;
+    Film shot; // of a pass with steps
     std::vector<std::unique_ptr<TileWorker>> workers;
 };
 

@@ -32,7 +32,6 @@ FramePlan::FramePlan(
     : shadows_(settings),
       sky_(settings.sky)
 {
-    if (settings.interleave > 1) packing_.emplace(settings.interleave);
     const std::span<const Aov> planes = settings.aovs;
     const bool shadows = settings.shadows != Shadows::none && lights > 0;
     const bool lit = std::find(planes.begin(), planes.end(), Aov::lit) != planes.end();
@@ -45,8 +44,8 @@ FramePlan::FramePlan(
                 .aovs = together ? planes : std::span<const Aov>(),
                 .shadows = shadows && (settings.color || lit),
                 .sky = settings.color && sky_.directions > 0,
-                .packing = packing_ ? &*packing_ : nullptr,
-                .fill = settings.color && settings.interpolate && (packing_ || !exact_items),
+                .steps = PixelSteps::of(settings.interleave),
+                .fill = settings.color && settings.interpolate && !exact_items,
                 .edges = settings.color ? sources.edges : nullptr,
                 .only = sources.only},
             settings.tile_size);
@@ -72,7 +71,7 @@ void FramePlan::add(PassPlan pass, int tile_size)
 std::uint64_t FramePlan::work(const Region& region) const
 {
     std::uint64_t sum = 0;
-    for (const PassPlan& pass : passes()) sum += pass.work(region);
+    for (const PassPlan& pass : passes()) sum += pass.work(pass.steps.shot(region));
     return sum;
 }
 

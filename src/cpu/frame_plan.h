@@ -1,7 +1,7 @@
 // frame_plan.h - plans which stages a frame of the cpu engine runs, and what is kept between them.
 #pragma once
 
-#include "cpu/packed_tile.h"
+#include "base/pixel_steps.h"
 
 #include <firsthit/film.h>
 #include <firsthit/settings.h>
@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 namespace firsthit {
@@ -20,26 +19,26 @@ struct PixelMarks;
 
 /// A pass over the picture: which rays are shot, and what is kept of their hits.
 struct PassPlan {
-    int samples = 1;           // samples on a side of a pixel
-    int tile_size = 64;        // samples on a side of a tile: whole blocks and whole pixels
-    int part_side = 0;         // the most pixels on a side of a part: whole tiles
-    bool color = true;         // whether colours are shaded; otherwise only planes are made
-    std::span<const Aov> aovs; // the planes that are made
-    bool shadows = false;      // whether shadows are found
-    bool sky = false;          // whether it is found which directions of the sky the hits see
-    bool keeps_items = false;  // HitMemory::items
-    bool keeps_misses = false; // HitMemory::misses
-    const Packing* packing = nullptr; // of the pixels whose rays are shot; null if all are shot
-    bool fill = false;                // whether holes get the colours around them
-    EdgeFinder* edges = nullptr;      // FrameSources::edges, in the pass that makes colours
+    int samples = 1;             // samples on a side of a pixel
+    int tile_size = 64;          // samples on a side of a tile: whole blocks and whole pixels
+    int part_side = 0;           // the most pixels on a side of a part: whole tiles
+    bool color = true;           // whether colours are shaded; otherwise only planes are made
+    std::span<const Aov> aovs;   // the planes that are made
+    bool shadows = false;        // whether shadows are found
+    bool sky = false;            // whether it is found which directions of the sky the hits see
+    bool keeps_items = false;    // HitMemory::items
+    bool keeps_misses = false;   // HitMemory::misses
+    PixelSteps steps;            // between the pixels whose rays are shot
+    bool fill = false;           // whether holes get the colours around them
+    EdgeFinder* edges = nullptr; // FrameSources::edges, in the pass that makes colours
     const PixelMarks* only = nullptr; // FrameSources::only
 
     /// Whether the hits of all tiles are kept, for the lights or for the sky. Otherwise each tile is
     /// finished while it is in cache.
     bool keeps_hits() const { return shadows || sky; }
 
-    /// The work of a region in this pass: its samples, once for each loop over its tiles, and once for
-    /// each of the stages between.
+    /// The work of a region of shot pixels in this pass: its samples, once for each loop over its tiles, and
+    /// once for each of the stages between.
     std::uint64_t work(const Region& region) const
     {
         return samples_of(region) * (1 + keeps_hits() + shadows + sky);
@@ -75,7 +74,6 @@ class FramePlan {
 
     const ShadowOptions& shadows_;
     const Sky& sky_;
-    std::optional<Packing> packing_;
     PassPlan pass_[2];
     std::size_t count_ = 0;
 };

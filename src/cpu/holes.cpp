@@ -26,22 +26,6 @@ std::uint64_t count_holes(std::span<const std::uint64_t> holes)
     return count;
 }
 
-std::uint64_t keep_lattice(
-    const Lattice& lattice, int x, int y, TileItems& items, std::span<std::uint64_t> holes)
-{
-    std::uint64_t missed = 0;
-    for (int block = 0; block < items.blocks(); ++block) {
-        const std::uint64_t shot = lattice.shot(
-            x + block % items.blocks_x() * kBlock, y + block / items.blocks_x() * kBlock);
-        std::uint64_t& word = holes[std::size_t(block)];
-        missed += std::uint64_t(std::popcount(word & shot));
-        word |= ~shot;
-        std::uint32_t* item = items.item.data() + block * kBlockSamples;
-        for (int k = 0; k < kBlockSamples; ++k) item[k] |= shot >> k & 1 ? 0 : kNoItem;
-    }
-    return missed;
-}
-
 std::uint64_t interpolate_holes(const HoleMemory& memory, Tasks& tasks, Film& film)
 {
     constexpr std::size_t kRows = 32; // rows of a task

@@ -3,7 +3,6 @@
 
 #include "base/buffer.h"
 #include "base/tasks.h"
-#include "hits/lattice.h"
 #include "visibility/tile_items.h"
 
 #include <firsthit/film.h>
@@ -34,16 +33,6 @@ void resize(HoleMemory& memory, int tile_size, std::size_t tiles);
 ///
 /// holes  (blocks) of a tile
 std::uint64_t count_holes(std::span<const std::uint64_t> holes);
-
-/// Keeps the tile's items at the pixels of the lattice, and makes all other pixels holes without an
-/// item. The tile has one sample a pixel.
-///
-/// x, y     the pixel of the picture that is the tile's first sample
-/// holes    (blocks) of the tile
-/// returns  how many pixels of the lattice were holes before
-/// source   Robert and Schoepke 2006, section 4.1 (interleaved rendering)
-std::uint64_t keep_lattice(
-    const Lattice& lattice, int x, int y, TileItems& items, std::span<std::uint64_t> holes);
 
 /// Gives the holes of the film the colours around them (film/fill_holes.h). Returns how many pixels
 /// were filled.

@@ -8,17 +8,9 @@
 #include "shade/shade_environment.h"
 
 #include <algorithm>
-#include <array>
 
 namespace firsthit {
 namespace {
-
-/// The picture's pixel that is the tile's first sample, in passes with one sample a pixel.
-std::array<int, 2> first_pixel(const FramePart& part, std::size_t tile)
-{
-    const ViewMemory& view = part.memory.view;
-    return {part.pixels.x + view.first_x(int(tile)), part.pixels.y + view.first_y(int(tile))};
-}
 
 TilePlace place_of(const FramePart& part, const TileTurn& turn)
 {
@@ -51,13 +43,7 @@ void find_items(const FramePart& part, const TileTurn& turn)
     worker.items.wanted = {};
     if (part.pass.only) want_marked(part, turn.tile, worker);
     part.items.tile(part.memory.view, int(turn.tile), worker.items, holes, turn.worker);
-    if (part.pass.packing) {
-        const auto [x, y] = first_pixel(part, turn.tile);
-        worker.missed_count +=
-            keep_lattice(part.pass.packing->lattice(), x, y, worker.items, holes);
-    } else {
-        worker.missed_count += count_holes(holes);
-    }
+    worker.missed_count += count_holes(holes);
     worker.raster_ms += lap.lap_ms();
     worker.counts.uncertain += worker.items.counts.uncertain;
     worker.counts.ambiguous += worker.items.counts.ambiguous;
@@ -69,8 +55,8 @@ HitTile find_hits(const FramePart& part, const TileTurn& turn)
     const ViewMemory& view = part.memory.view;
     TileWorker& worker = *part.memory.workers[turn.worker];
     Stopwatch lap;
-    const HitTile hits =
-        resolve_tile(view, view.pencil, worker.items, part.memory.hits.of(turn.place));
+    HitTile hits = resolve_tile(view, view.pencil, worker.items, part.memory.hits.of(turn.place));
+    hits.pixel = 1.0f / glm::vec2(part.pass.steps.x, part.pass.steps.y);
     worker.resolve_ms += lap.lap_ms();
     worker.hit_count += count_hits(hits);
     return hits;
@@ -100,12 +86,8 @@ void shade_and_store(
     const TilePlace place = place_of(part, turn);
     Stopwatch lap;
     const ShadeTargets& targets = worker.shade.targets;
-    if (pass.packing) {
-        pack(*pass.packing, first_pixel(part, turn.tile), hits, lit, worker.packed);
-        shade_tile(worker.packed.hits, world, worker.packed.lit, targets);
-        store_packed(worker.packed, place, targets, world.scene->background, film);
-    } else if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1 &&
-               !shows_environment(*world.scene)) {
+    if (hits.runs.empty() && pass.aovs.empty() && pass.samples == 1 &&
+        !shows_environment(*world.scene)) {
         store_background(place, world.scene->background, film);
     } else {
         shade_tile(hits, world, lit, targets);

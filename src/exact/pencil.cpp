@@ -92,7 +92,7 @@ void add_scaled(glm::dvec3& sum, double factor, const glm::dvec3& v)
 
 } // namespace
 
-Pencil pencil_of(const View& view, const Region& region, int samples)
+Pencil pencil_of(const View& view, const Region& region, int samples, const PixelSteps& steps)
 {
     const Camera& camera = view.camera;
     const Intrinsics intrinsics = intrinsics_of(view, samples);
@@ -112,15 +112,16 @@ Pencil pencil_of(const View& view, const Region& region, int samples)
         whole_halves(intrinsics.principal_point.x), whole_halves(intrinsics.principal_point.y));
     const glm::dvec2 rest = intrinsics.principal_point - middle;
     const double skew = intrinsics.skew;
+    const glm::dvec2 step(steps.x, steps.y);
     pencil.eye = camera.eye;
-    pencil.f = f;
+    pencil.f = f / step;
 
     // Eye space.
     glm::dvec3 row_x = f.x * x, row_y = f.y * y;
     add_scaled(row_x, skew, y);
     add_scaled(row_x, rest.x, z);
     add_scaled(row_y, rest.y, z);
-    pencil.eye_from_world = glm::transpose(glm::dmat3(row_x, row_y, z));
+    pencil.eye_from_world = glm::transpose(glm::dmat3(row_x / step.x, row_y / step.y, z));
 
     // And back: from X = f.x x + skew y + rest.x, Y = f.y y + rest.y to x and y.
     pencil.shear = {-skew / f.x, (skew * (rest.y / f.y) - rest.x) / f.x, -rest.y / f.y};
@@ -132,8 +133,8 @@ Pencil pencil_of(const View& view, const Region& region, int samples)
 
     pencil.width = region.width * samples;
     pencil.height = region.height * samples;
-    pencil.x0 = double(region.x) * samples + 0.5 - middle.x;
-    pencil.y0 = double(region.y) * samples + 0.5 - middle.y;
+    pencil.x0 = (double(region.x) * samples * step.x + 0.5 - middle.x) / step.x;
+    pencil.y0 = (double(region.y) * samples * step.y + 0.5 - middle.y) / step.y;
     return pencil;
 }
 

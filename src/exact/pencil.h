@@ -1,6 +1,8 @@
 // pencil.h - the rays of one picture: all through the eye, one through each sample.
 #pragma once
 
+#include "base/pixel_steps.h"
+
 #include <firsthit/view.h>
 
 #include <glm/mat3x3.hpp>
@@ -13,7 +15,7 @@
 namespace firsthit {
 
 /// Samples from a first one on, that of a pencil, a tile or a block: the ray of sample (x, y) has the
-/// direction (x0 + x, y0 + y, 1) in eye space. Exact: multiples of 1/2 below 2^22.
+/// direction (x0 + x, y0 + y, 1) in eye space. Exact: multiples of 1/2 below 2^22, or of 1/32 below 2^18.
 struct LatticeTile {
     float x0 = 0;
     float y0 = 0;
@@ -42,6 +44,9 @@ struct LatticeTile {
 /// no half sample: (f.x x + skew y + r.x z, f.y y + r.y z, z), r what is left of the principal point
 /// when whole half samples are taken out of it. There the ray of sample (i, j) of the rectangle has
 /// the direction (x0 + i, y0 + j, 1): multiples of 1/2, exact in float. Depth along the axis is z.
+///
+/// Where only some pixels are shot (base/pixel_steps.h), these are the samples: x and y, and all that is
+/// counted in samples, are divided by the steps, which are powers of two.
 struct Pencil {
     glm::dvec3 eye{0};
     glm::dmat3 eye_from_world{1};
@@ -70,9 +75,10 @@ struct Pencil {
 inline constexpr int kMaxPencil = 8192;
 
 /// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which
-/// are the pixel rays of a picture `samples` times as wide and high.
+/// are the pixel rays of a picture `samples` times as wide and high. With steps, which need one sample,
+/// `region` is counted in steps, as PixelSteps::shot does.
 /// throws  ArgumentError: a camera without a direction; a field of view, focal length, principal point or
 ///         skew out of range (firsthit/view.h); or f above 1e15 samples
-Pencil pencil_of(const View& view, const Region& region, int samples);
+Pencil pencil_of(const View& view, const Region& region, int samples, const PixelSteps& steps = {});
 
 } // namespace firsthit

@@ -1,6 +1,7 @@
 // frame_context.h - what all stages of a frame share.
 #pragma once
 
+#include "base/pixel_steps.h"
 #include "base/tasks.h"
 #include "frame/frame_progress.h"
 
@@ -16,6 +17,8 @@ struct FrameContext {
     Tasks& tasks;
     Film& film;
     FrameProgress* progress = nullptr; // null: progress is not reported
+    PixelSteps steps = {}; // between the pixels of the frame: then the film is theirs, and
+                           // the view's region is counted in steps
 
     /// These call the functions of FrameProgress, if there is one.
     void begin(std::uint64_t work) const

@@ -3,7 +3,7 @@
 
 #include "film/film_size.h"
 #include "gl/bindings.h"
-#include "hits/lattice.h"
+#include "base/pixel_steps.h"
 #include "hits/item_repair.h"
 #include "shadow/sky/sky_rays.h"
 
@@ -68,6 +68,7 @@ FrameData frame_data(const FrameContext& frame, const Settings& settings, const 
     const Region& section)
 {
     const World& world = frame.world;
+    const PixelSteps steps = PixelSteps::of(settings.interleave);
     FrameData data{.rays = world_rays(pencil, pencil.tile(0, 0)),
         .shear = glm::vec3(pencil.shear),
         .lights = std::int32_t(world.lights.size()),
@@ -78,9 +79,8 @@ FrameData frame_data(const FrameContext& frame, const Settings& settings, const 
         .size = {pencil.width, pencil.height},
         .corner = {section.x, section.y},
         .triangles = std::uint32_t(world.scene->index.size()),
-        .interleave = settings.interleave,
-        .interleave_shift = Lattice(settings.interleave).shift(),
-        .filter_size = settings.shadow_filter};
+        .filter_size = settings.shadow_filter,
+        .steps = {steps.x, steps.y}};
     if (settings.sky.directions > 0) {
         data.sky = 1;
         data.sky_up = glm::vec3(zenith_of(settings.sky, frame.view.camera.up));
@@ -153,7 +153,7 @@ void GpuFrame::render_section(const Job& job, const Section& section)
 
     // Find the exact hits.
     FrameData data = frame_data(job.context, job.settings, pencil, section.pixels);
-    if (!section.color) data.interleave = 1;
+    if (!section.color) data.steps = {1, 1};
     const Scene& scene = *job.world().scene;
     const bool environment =
         section.color && (has_reflected_environment(scene) || shows_environment(scene));

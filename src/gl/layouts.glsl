@@ -38,9 +38,8 @@ FIRSTHIT_STRUCT(FrameData)
     FIRSTHIT_FIELD(ivec2, size, 0)    // of the section, samples
     FIRSTHIT_FIELD(ivec2, corner, 0)  // the section's first sample, in the picture
     FIRSTHIT_FIELD(uint, triangles, 0) // number of triangles; greater items are no triangles
-    FIRSTHIT_FIELD(int, interleave, 1) // N: every N-th sample of a row is shot (hits/lattice.h)
-    FIRSTHIT_FIELD(int, interleave_shift, 0) // of the shot samples from row to row
     FIRSTHIT_FIELD(int, filter_size, 1)      // N: N x N texels are compared
+    FIRSTHIT_FIELD(ivec2, steps, 1)          // between the pixels that are shot (base/pixel_steps.h)
     FIRSTHIT_FIELD(int, environment, 0)      // 1: there is one; see shade/shade_environment.h
     FIRSTHIT_FIELD(int, environment_background, 0)
     FIRSTHIT_FIELD(float, environment_table, 0)

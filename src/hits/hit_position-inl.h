@@ -23,8 +23,7 @@ FIRSTHIT_PURE real3 from_glm(const glm::vec3& v)
 
 /// The rays of one block of a tile (exact/rays.h). Each number is in all lanes.
 struct BlockRays {
-    real x0, y0;                   // of the block's origin, see Rays
-    const BlockSamplesXY* samples; // offsets from the origin
+    real x0, y0; // of the block's origin, see Rays
     real step_x, step_y;
     real3 eye, right, down, forward;
 };
@@ -34,17 +33,9 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
     const std::uint32_t blocks_x = static_cast<std::uint32_t>(hits.size / kBlock);
     const Rays& tile = hits.rays;
     BlockRays rays;
-    // The sums are exact, since all positions of samples are multiples of 1/2 below 2^22.
-    if (hits.packed) {
-        const BlockPlace& place = hits.places[block];
-        rays.x0 = tile.x0 + place.x;
-        rays.y0 = tile.y0 + place.y;
-        rays.samples = place.samples;
-    } else {
-        rays.x0 = tile.x0 + static_cast<float>(block % blocks_x * kBlock);
-        rays.y0 = tile.y0 + static_cast<float>(block / blocks_x * kBlock);
-        rays.samples = &kBlockSamplesXY;
-    }
+    // The sums are exact: see LatticeTile (exact/pencil.h).
+    rays.x0 = tile.x0 + static_cast<float>(block % blocks_x * kBlock);
+    rays.y0 = tile.y0 + static_cast<float>(block / blocks_x * kBlock);
     rays.step_x = tile.step_x;
     rays.step_y = tile.step_y;
     rays.eye = from_glm(tile.eye);
@@ -58,8 +49,8 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
 /// vectors.
 FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
 {
-    return ray_direction(rays.x0 + load(rays.samples->x + first),
-        rays.y0 + load(rays.samples->y + first), rays.step_x, rays.step_y, rays.right, rays.down,
+    return ray_direction(rays.x0 + load(kBlockSamplesXY.x + first),
+        rays.y0 + load(kBlockSamplesXY.y + first), rays.step_x, rays.step_y, rays.right, rays.down,
         rays.forward);
 }
 

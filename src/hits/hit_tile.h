@@ -3,7 +3,6 @@
 
 #include "base/tile_order.h"
 #include "exact/rays.h"
-#include "hits/block_samples.h"
 
 #include <glm/vec4.hpp>
 
@@ -30,12 +29,6 @@ struct HitRun {
 };
 static_assert(sizeof(HitRun) == 32, "two in a cache line");
 
-/// Where the samples of a packed block are (cpu/packed_tile.h).
-struct BlockPlace {
-    float x = 0, y = 0;                      // its origin, in samples from the tile's first one
-    const BlockSamplesXY* samples = nullptr; // offsets from there, whole numbers
-};
-
 /// The hits of a tile in tile order (base/tile_order.h), as a structure of arrays that are each
 /// aligned to 64 bytes. A sample without an item has t = +inf and u = v = 0. But t, u, v and item
 /// are undefined in blocks that `covered` says to have no item at all, if HitMemory::misses is
@@ -49,16 +42,21 @@ struct HitTile {
     const float* t = nullptr;               // depth along the view axis, world units
     const float* u = nullptr;               // weight of corner 1 (Embree's convention)
     const float* v = nullptr;               // weight of corner 2
-
-    /// Whether the tile holds packed samples (cpu/packed_tile.h), which only shading accepts. Then
-    /// `places` has a place for each block, and `item` is null.
-    bool packed = false;
-    std::span<const BlockPlace> places;
+    glm::vec2 pixel{1}; // width and height of a pixel in samples, of pictures with steps
 
     std::size_t blocks() const
     {
         const auto blocks_x = std::size_t(size / kBlock);
-        return packed ? places.size() : blocks_x * blocks_x;
+        return blocks_x * blocks_x;
+    }
+
+    /// Rays whose steps are those from pixel to pixel, for what is filtered over a pixel.
+    Rays pixel_rays() const
+    {
+        Rays to = rays;
+        to.step_x *= pixel.x;
+        to.step_y *= pixel.y;
+        return to;
     }
 
     /// Whether the block is known to have no item.

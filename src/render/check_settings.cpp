@@ -1,7 +1,7 @@
 // check_settings.cpp - checks the settings and the view of a frame.
 #include "render/check_settings.h"
 
-#include "hits/lattice.h"
+#include "base/pixel_steps.h"
 #include "exact/pencil.h"
 #include "shadow/sky/sky_rays.h"
 
@@ -114,9 +114,9 @@ void check(const Settings& settings, std::size_t lights)
     if (settings.tile_size < 8 || settings.tile_size > 128 || settings.tile_size % 8 != 0)
         throw ArgumentError(fmt::format(
             "tile size {} is not accepted: a multiple of 8 from 8 to 128", settings.tile_size));
-    if (settings.interleave < 1 || settings.interleave > Lattice::kMost)
-        throw ArgumentError(fmt::format(
-            "interleave {} is out of range: 1 to {}", settings.interleave, Lattice::kMost));
+    if (!PixelSteps::is_known(settings.interleave))
+        throw ArgumentError(
+            fmt::format("interleave {} is not accepted: 1, 2, 4, 8 or 16", settings.interleave));
     if (settings.interleave > 1 && settings.samples > 1)
         throw ArgumentError(
             fmt::format("interleave {} needs 1 sample, not {}: it shoots less than a ray a pixel",

@@ -283,8 +283,8 @@ HWY_INLINE void shade_samples(
         }
 
         wide::Surface surface;
-        const real3 direction = wide::ray_direction(real(rays.x0) + load(rays.samples->x + first),
-            real(rays.y0) + load(rays.samples->y + first), real(rays.step_x), real(rays.step_y),
+        const real3 direction = wide::ray_direction(real(rays.x0) + load(kBlockSamplesXY.x + first),
+            real(rays.y0) + load(kBlockSamplesXY.y + first), real(rays.step_x), real(rays.step_y),
             right, down, forward);
         surface.position = wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
         surface.to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);

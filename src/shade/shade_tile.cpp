@@ -137,8 +137,8 @@ HWY_INLINE void spread_maps(const TileShade& tile, const HitRun& run, const MapN
     if (!needs.uv[1]) return;
     const RunPlane plane = run_plane(arrays, run.item, tile.hits.rays);
     const Interpolated<glm::vec2> uv = run_uv1(arrays, corner);
-    spread_uv_steps<1>(
-        {uv, run_gradients(plane, uv, tile.hits.rays), nullptr}, run, tile.hits, attributes);
+    spread_uv_steps<1>({uv, run_gradients(plane, uv, tile.hits.pixel_rays()), nullptr}, run,
+        tile.hits, attributes);
 }
 
 /// The textures of some runs that were found ahead of time. The runs of a block begin at number
@@ -211,7 +211,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, const ReachedRuns
         const RunPlane plane = run_plane(arrays, run.item, tile.hits.rays);
         const Interpolated<glm::vec2> uv = run_uv(arrays, plane.corner);
         RunGradients gradients;
-        if (in_texture) gradients = run_gradients(plane, uv, tile.hits.rays);
+        if (in_texture) gradients = run_gradients(plane, uv, tile.hits.pixel_rays());
         if (needs.uv[0])
             spread_uv_steps<0>({uv, gradients, nullptr}, run, tile.hits, attributes);
         else
@@ -273,7 +273,7 @@ void shade(const HitTile& hits, const World& world, const LightVisibility& lit,
         if (ahead && end > found) {
             first_found = r;
             found = std::min(hits.runs.size(), r + RunTextures::kRuns);
-            textures.find(arrays, hits.rays, hits.runs.subspan(r));
+            textures.find(arrays, hits.pixel_rays(), hits.runs.subspan(r));
         }
         const BlockMaterials materials = find_surfaces(tile, {runs, reached},
             {ahead ? &textures : nullptr, r - first_found}, corners, attributes);

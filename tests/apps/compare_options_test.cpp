@@ -24,13 +24,13 @@ TEST(CompareOptions, AnEngineOnOpenGlArrives)
     const CompareOptions options =
         parse_compare_options("s --against cpu --engine hybrid --multisample full5 "
                               "--item-format rgb8 --depth-format fixed24 --shadows none "
-                              "--interleave 3 --no-interpolate --json");
+                              "--interleave 4 --no-interpolate --json");
     EXPECT_FALSE(options.oracle);
     EXPECT_EQ(options.engine.engine, Engine::hybrid);
     EXPECT_EQ(options.engine.multisample, Multisample::full5);
     EXPECT_EQ(options.engine.opengl.item_format, ItemFormat::rgb8);
     EXPECT_EQ(options.engine.opengl.depth_format, DepthFormat::fixed24);
-    EXPECT_EQ(options.engine.interleave, 3);
+    EXPECT_EQ(options.engine.interleave, 4);
     EXPECT_TRUE(options.engine.no_interpolate);
     EXPECT_EQ(options.shadows, Shadows::none);
     EXPECT_TRUE(options.json);

@@ -61,8 +61,8 @@ TEST(RenderOptions, WhatIsInterpolatedArrives)
     EXPECT_EQ(plain.multisample, Multisample::lazy3);
     EXPECT_TRUE(plain.interpolate);
     const Settings settings = render_settings(
-        parse_render_options("s -o a.png --interleave 3 --multisample full5 --no-interpolate"));
-    EXPECT_EQ(settings.interleave, 3);
+        parse_render_options("s -o a.png --interleave 8 --multisample full5 --no-interpolate"));
+    EXPECT_EQ(settings.interleave, 8);
     EXPECT_EQ(settings.multisample, Multisample::full5);
     EXPECT_FALSE(settings.interpolate);
 }
@@ -114,8 +114,8 @@ TEST(RenderOptions, WrongValuesAreNamedByTheirOption)
         message_of<UsageError>([] { parse_render_options("s -o a.png --multisample lazy7"); }),
         "--multisample: 'lazy7' is not accepted: none, lazy3, lazy5, full3, full5 or exact");
     for (const char* line : {"s -o a.png --size 0x0", "s -o a.png --interleave 0",
-             "s -o a.png --threads -1", "s -o a.png --tile-size 12", "s -o a.png --fov 180",
-             "s -o a.png --aov depth", "s -o a.png --crease-angle 181",
+             "s -o a.png --interleave 3", "s -o a.png --threads -1", "s -o a.png --tile-size 12",
+             "s -o a.png --fov 180", "s -o a.png --aov depth", "s -o a.png --crease-angle 181",
              "s -o a.png --sphere-segments 2", "s -o a.png --cone-segments 4097"})
         EXPECT_THROW(parse_render_options(line), UsageError) << line;
 }

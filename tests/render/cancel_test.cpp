@@ -32,7 +32,7 @@ const std::vector<Case>& cases()
         {"cpu_map", Engine::cpu, Shadows::map},
         {"cpu_exact", Engine::cpu, Shadows::exact},
         {"cpu_exact_samples", Engine::cpu, Shadows::exact, 2},
-        {"cpu_map_interleaved", Engine::cpu, Shadows::map, 1, 3},
+        {"cpu_map_interleaved", Engine::cpu, Shadows::map, 1, 4},
         {"hybrid_none", Engine::hybrid, Shadows::none},
         {"hybrid_map", Engine::hybrid, Shadows::map},
         {"hybrid_map_sync", Engine::hybrid, Shadows::map, 1, 1, Readback::sync},

@@ -139,7 +139,7 @@ TEST_F(EngineComparing, FindsTheShadingOfTheGpuEngineEqualToTheEye)
     load("builtin:robots", 2.5, 256); // textured
     EXPECT_GE(compare(Engine::gpu, Multisample::none).psnr_same_items_db().value_or(0), 45);
     settings.shadows = Shadows::none;
-    settings.interleave = 3;
+    settings.interleave = 4;
     EXPECT_GE(compare(Engine::gpu, Multisample::none).psnr_same_items_db().value_or(0), 45);
 }
 

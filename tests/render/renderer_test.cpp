@@ -276,8 +276,9 @@ TEST(Renderer, RefusesWhatCannotBeRendered)
     expect_refused("region", [&](View& v, Settings&) { v.region = {least, least, 0, 0}; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 0; });
     expect_refused("samples", [](View&, Settings& s) { s.samples = 17; });
-    for (const int every : {-1, 0, 17})
-        expect_refused("1 to 16", [&](View&, Settings& s) { s.interleave = every; });
+    for (const int every : {-1, 0, 3, 15, 17, 32})
+        expect_refused(
+            "accepted: 1, 2, 4, 8 or 16", [&](View&, Settings& s) { s.interleave = every; });
     expect_refused(
         "needs 1 sample, not 2", [](View&, Settings& s) { s.interleave = 2, s.samples = 2; });
     expect_refused("tile", [](View&, Settings& s) { s.tile_size = 12; });

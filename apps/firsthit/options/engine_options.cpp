@@ -61,6 +61,13 @@ GpuPasses parse_gpu_passes(const std::string& text)
     return one_of(kWords, text, "number of passes");
 }
 
+int parse_interleave(const std::string& text)
+{
+    for (const int every : {1, 2, 4, 8, 16})
+        if (text == std::to_string(every)) return every;
+    throw UsageError(fmt::format("'{}' is not accepted: 1, 2, 4, 8 or 16", text));
+}
+
 } // namespace
 
 Engine parse_engine(const std::string& text)
@@ -80,9 +87,8 @@ void add_engine_options(CLI::App& app, EngineOptions& options)
     const auto integer = [](int low, int high) {
         return [low, high](const std::string& text) { return parse_integer(text, low, high); };
     };
-    add_parsed(app, "--interleave", options.interleave, integer(1, 16), "N",
-        "Shoot only every N-th pixel's ray, 1 to 16, and interpolate the pixels between; default "
-        "1: all");
+    add_parsed(app, "--interleave", options.interleave, parse_interleave, "1|2|4|8|16",
+        "Shoot the ray of one pixel in N, and interpolate the pixels between; default 1: all");
     add_parsed(app, "--multisample", options.multisample, parse_multisample,
         "none|lazy3|lazy5|full3|full5|exact",
         "Engines hybrid and gpu: where OpenGL's item is missed, try the triangles of 3x3 or 5x5 "

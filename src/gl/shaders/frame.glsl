@@ -8,7 +8,7 @@ layout(std140, binding = kFrameBlock) uniform Frame { FrameData frame; };
 bool is_shot(ivec2 sample_at)
 {
     ivec2 p = sample_at + frame.corner;
-    return (p.x + p.y * frame.interleave_shift) % frame.interleave == 0;
+    return p.x % frame.steps.x == 0 && p.y % frame.steps.y == 0;
 }
 
 /// The direction of the sample's ray in eye space.

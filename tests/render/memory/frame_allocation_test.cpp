@@ -69,7 +69,7 @@ TEST(FrameAllocation, IsNoneWithSupersampling)
 TEST(FrameAllocation, IsNoneWhereFramesAreInterleaved)
 {
     Settings settings;
-    settings.interleave = 3;
+    settings.interleave = 4;
     settings.aovs = {Aov::item};
     EXPECT_EQ(allocations_after_two_frames("builtin:robots", 2, settings), 0u);
 }

@@ -114,7 +114,7 @@ std::vector<FrameKind> frame_kinds(Engine engine)
         };
         add("colour", [](Settings&) {});
         add("all planes", all_planes);
-        add("colour, every 3rd pixel", [](Settings& s) { s.interleave = 3; });
+        add("colour, one pixel in 4", [](Settings& s) { s.interleave = 4; });
         add("2 x 2 samples and planes", [&](Settings& s) {
             s.samples = 2;
             all_planes(s);

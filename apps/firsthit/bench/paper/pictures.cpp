@@ -89,7 +89,8 @@ void show_interleaving(Studio& studio, Report& report)
         {{extract(picture_of(blurred), part), "interleaved"},
             {extract(picture_of(sharp), part), "normal"}},
         fmt::format(
-            "Figure 7: interleaved rendering (left), where every {}nd ray is shot and the pixels "
+            "Figure 7: interleaved rendering (left), where the ray of one pixel in {} is shot and "
+            "the pixels "
             "between are interpolated, and normal rendering (right); an extract of the robots, "
             "enlarged.",
             kPaperInterleave));
