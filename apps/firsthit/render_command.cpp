@@ -10,6 +10,7 @@
 #include "outputs/frame_outputs.h"
 #include "stats_report.h"
 #include "common/stopwatch.h"
+#include "inputs/ground_maker.h"
 #include "inputs/scene_source.h"
 #include "common/usage.h"
 
@@ -19,6 +20,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -124,6 +126,7 @@ struct RenderRun {
     const RenderOptions& options;
     const Frames& frames;
     SceneSource& source;
+    ViewMaker& views;
     Renderer& renderer;
     PoseSettings pose;
     Settings settings;
@@ -139,7 +142,6 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
     const auto is_left_out = [&](std::size_t frame) {
         return options.data.resume && files.are_there(frame);
     };
-    ViewMaker views(options.camera, options.scene.shown_name());
     World world, before; // of this frame, and of the one before where motion is asked for
     Film film;
     std::stop_source stop;
@@ -167,7 +169,7 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
         follow(run.source, options, run.pose.time_s, scene);
         if (before.scene != scene) run.settings.previous = {};
         run.renderer.pose(scene, run.pose, world);
-        const View view = views.view(world, frame);
+        const View view = run.views.view(world, frame);
         if (!skip) {
             run.renderer.render(world, view, run.settings, film, control);
             Stats stats = run.renderer.stats();
@@ -217,14 +219,18 @@ int run_render(const RenderOptions& given)
     const Stopwatch loading;
     allow_fps_of_frames(options);
     const bool has_lights = !options.light.lights.empty();
+    std::optional<ViewMaker> views;
+    GroundMaker ground(options, views);
     SceneSource source(options.scene, [&](Scene& scene) {
         apply(options.light, scene);
         apply(options.environment, scene);
         if (wants_studio(options.sky, scene, has_lights)) apply_studio(options.sky, scene);
         apply(options.picture.backdrop, scene);
+        if (options.ground.wanted) ground.add(scene);
     });
     std::shared_ptr<const Scene> scene = source.first();
     take_from_scene(*scene, options);
+    if (!views) views.emplace(options.camera, options.scene.shown_name());
     report.width = options.camera.pixels().width;
     report.height = options.camera.pixels().height;
     check_inputs_stay(options, *scene);
@@ -242,7 +248,7 @@ int run_render(const RenderOptions& given)
     warn_if_still(options, *scene, frames.size());
     Renderer renderer(options.threads);
     report.threads = renderer.threads();
-    RenderRun run{options, frames, source, renderer, chosen, render_settings(options)};
+    RenderRun run{options, frames, source, *views, renderer, chosen, render_settings(options)};
     apply(options.sky, wants_studio(options.sky, *scene, has_lights), run.settings);
     render_frames(run, scene, report);
     write_manifest(options, *scene);

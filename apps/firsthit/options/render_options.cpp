@@ -204,6 +204,7 @@ void add_render_options(CLI::App& app, RenderOptions& options)
     add_data_options(app, options.data);
     add_light_options(app, options.light);
     add_sky_options(app, options.sky);
+    add_ground_option(app, options.ground);
     add_environment_options(app, options.environment);
     add_picture_options(app, options.picture);
     add_parsed(app, "--samples", options.samples, integer(1, 16), "N",
@@ -232,6 +233,8 @@ void check(const RenderOptions& options)
         throw UsageError("nothing is asked for: say -o FILE, --aov NAME=FILE or --stats");
     check(options.light, options.engine.engine);
     check(options.sky, !options.light.lights.empty());
+    if (options.ground.wanted && options.picture.backdrop.transparent)
+        throw UsageError("--ground is a surface, --background transparent shows none: say one");
     if (options.engine.engine == Engine::gpu && options.light.shadows == Shadows::exact)
         throw UsageError("--engine gpu has shadow maps only: accepted are --shadows map and none");
     if (options.adaptive && options.samples)

@@ -5,6 +5,7 @@
 #include "options/data_options.h"
 #include "options/engine_options.h"
 #include "options/environment_options.h"
+#include "options/ground_options.h"
 #include "options/light_options.h"
 #include "options/picture_options.h"
 #include "options/picture_set_options.h"
@@ -28,6 +29,7 @@ struct RenderOptions : PictureSetOptions {
     LightOptions light;
     EnvironmentOptions environment;
     SkyOptions sky;
+    GroundOptions ground;
     EngineOptions engine;
     PictureChoices picture;
     std::string output; // empty: no picture; "-": standard output
