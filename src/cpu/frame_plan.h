@@ -28,7 +28,7 @@ struct PassPlan {
     bool sky = false;            // whether it is found which directions of the sky the hits see
     bool keeps_items = false;    // HitMemory::items
     bool keeps_misses = false;   // HitMemory::misses
-    PixelSteps steps;            // between the pixels whose rays are shot
+    PixelSteps steps = {};       // between the pixels whose rays are shot
     bool fill = false;           // whether holes get the colours around them
     EdgeFinder* edges = nullptr; // FrameSources::edges, in the pass that makes colours
     const PixelMarks* only = nullptr; // FrameSources::only
