@@ -217,12 +217,7 @@ int run_render(const RenderOptions& given)
     const Stopwatch loading;
     allow_fps_of_frames(options);
     const bool has_lights = !options.light.lights.empty();
-    SceneSource source(options.scene, [&](Scene& scene) {
-        apply(options.light, scene);
-        apply(options.environment, scene);
-        if (wants_studio(options.sky, scene, has_lights)) apply_studio(options.sky, scene);
-        apply(options.picture.backdrop, scene);
-    });
+    SceneSource source(options.scene, scene_changes(options));
     std::shared_ptr<const Scene> scene = source.first();
     take_from_scene(*scene, options);
     report.width = options.camera.pixels().width;

@@ -1,5 +1,5 @@
 // quality_test.cpp - what is left out while something moves, and in which order.
-#include "view/session/quality.h"
+#include "view/frames/quality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 // camera_mover.h - moves a camera as a hand asks: round a point, sideways, towards the pointer, through the scene.
 #pragma once
 
+#include "view/frames/box.h"
+
 #include <firsthit/view.h>
 
 #include <glm/vec2.hpp>
@@ -10,9 +12,6 @@
 #include <string>
 
 namespace firsthit::cli::view {
-
-/// An axis-aligned box in world space.
-using Box = std::array<glm::dvec3, 2>;
 
 /// A pinhole camera with the point that it turns about. What it shows is what `render` shows with the options
 /// that as_options() writes, bit for bit.

@@ -1,13 +1,13 @@
-// bars.cpp - the times of stages as stacked bars over time, and the page of keys.
+// bars.cpp - the times of stages as stacked bars over time.
 #include "view/window/panels.h"
+
+#include "view/session/process_memory.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace firsthit::cli::view {
 namespace {
@@ -32,15 +32,8 @@ constexpr std::array<Stage, 10> kStages = {{
 }};
 constexpr ImU32 kOther = IM_COL32(110, 110, 110, 255);
 constexpr std::size_t kBars = 100;
-const ImVec2 kBarsSize{300, 110};
-
-double memory_mb()
-{
-    std::ifstream file("/proc/self/statm");
-    double pages = 0, resident = 0;
-    file >> pages >> resident;
-    return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
-}
+const ImVec2 kBarsSize{345, 110};
+constexpr float kColumn = 118; // of the legend
 
 /// One frame from below: its stages, and what is in none of them.
 void draw_bar(
@@ -66,7 +59,7 @@ void draw_legend(const Stats& stats, double made_ms)
     double told = 0;
     int column = 0;
     const auto entry = [&](const char* name, double ms, ImU32 color) {
-        if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * 102);
+        if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * kColumn);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(fmt::format("{:<7}{:6.1f}", name, ms).c_str());
         ImGui::PopStyleColor();
@@ -124,51 +117,6 @@ void draw_bars(const ViewSession& session, Clock::time_point now)
     ImGui::TextUnformatted(fmt::format("{} | {} triangles, {} in view | {:.0f} MB", engine,
         last.stats.triangles, last.stats.in_view, memory_mb())
                                .c_str());
-    ImGui::End();
-}
-
-void draw_help()
-{
-    static constexpr std::array<std::array<const char*, 2>, 25> kKeys = {{
-        {"left drag", "turn round the scene"},
-        {"middle drag, shift + left drag", "move sideways"},
-        {"right drag", "look around"},
-        {"wheel, + and -", "nearer and farther, towards the pointer"},
-        {"W A S D, E Q", "fly: ahead, left, back, right; up, down"},
-        {"arrow keys", "turn by steps"},
-        {"1  3  7  0", "front, right, top, corner; with shift back, left, bottom"},
-        {"F, shift + F", "frame what is selected, or all"},
-        {"Home", "the first camera again"},
-        {"Page up and down", "cameras of the file"},
-        {"T", "turntable"},
-        {"C", "copy the camera as options of firsthit render"},
-        {"", ""},
-        {"space", "play and pause"},
-        {". and ,", "step ahead and back"},
-        {"[ and ]   L", "half and twice as fast; loop"},
-        {"", ""},
-        {"click", "select the instance under the pointer, or none"},
-        {"V, shift + V", "ways of looking: colour, items, depth, ..."},
-        {"G   H", "next engine; next kind of shadows"},
-        {"Tab   B   I", "switches; times; what is under the pointer"},
-        {"R, or drop a file", "read the file again; read another"},
-        {"F12", "save the picture as firsthit-001.png"},
-        {"?   F1", "this page"},
-        {"Escape", "close this page, unselect, end"},
-    }};
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowBgAlpha(0.93f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
-                                        ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav;
-    if (ImGui::Begin("Keys (?)", nullptr, kFlags)) {
-        for (const auto& [keys, text] : kKeys) {
-            ImGui::TextUnformatted(keys);
-            ImGui::SameLine(250);
-            ImGui::TextUnformatted(text);
-        }
-    }
     ImGui::End();
 }
 

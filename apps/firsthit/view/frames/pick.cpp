@@ -1,5 +1,5 @@
 // pick.cpp - what is under the pointer.
-#include "view/session/pick.h"
+#include "view/frames/pick.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,10 +1,10 @@
 // frame_request.h - what the thread that makes frames is asked for, and what it gives.
 #pragma once
 
-#include "view/session/pick.h"
-#include "view/session/quality.h"
-#include "view/session/view_scene.h"
-#include "view/session/view_state.h"
+#include "view/frames/pick.h"
+#include "view/frames/quality.h"
+#include "view/frames/view_scene.h"
+#include "view/frames/view_state.h"
 
 #include <firsthit/render.h>
 

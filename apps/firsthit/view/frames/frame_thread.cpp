@@ -1,7 +1,7 @@
 // frame_thread.cpp - the thread that makes the pictures of a session.
-#include "view/session/frame_thread.h"
+#include "view/frames/frame_thread.h"
 
-#include "view/session/frame_maker.h"
+#include "view/frames/frame_maker.h"
 
 #include <firsthit/error.h>
 

@@ -1,5 +1,5 @@
 // looks.cpp - the pixels of each way of looking.
-#include "view/session/looks.h"
+#include "view/frames/looks.h"
 
 #include <firsthit/film_data.h>
 #include <firsthit/scene.h>
@@ -17,6 +17,7 @@ namespace {
 using Rgb = std::array<float, 3>;
 
 constexpr Rgb kNothing{0.11f, 0.11f, 0.13f}; // of looks other than colour
+constexpr Rgb kWrong{1, 0.1f, 0.1f};
 constexpr std::array<std::uint8_t, 3> kBorder{255, 150, 20};
 constexpr float kDifferenceGain = 8; // as texts say
 
@@ -165,6 +166,16 @@ void paint_difference(const Film& film, const Painting& painting, std::vector<st
     });
 }
 
+/// Items that are right are dark.
+void paint_wrong(const Film& film, const Film& exact, std::vector<std::uint8_t>& rgba)
+{
+    each_pixel(film, rgba, [&](std::size_t k) {
+        if (film.item[k] != exact.item[k]) return kWrong;
+        const Rgb c = film.item[k] == kNoItem ? kNothing : color_of_id(film.item[k]);
+        return Rgb{0.3f * c[0], 0.3f * c[1], 0.3f * c[2]};
+    });
+}
+
 /// Marks the pixels along the border of an instance, two on each side.
 void paint_border(const Film& film, std::uint32_t instance, std::vector<std::uint8_t>& rgba)
 {
@@ -201,11 +212,13 @@ void add_plane(Settings& settings, Aov aov)
 std::string ask_for_planes(Look look, std::size_t lights, Settings& settings)
 {
     settings.color = look == Look::color || look == Look::difference;
-    if (look == Look::light && (lights == 0 || lights > kMaxLitLights)) {
+    if ((look == Look::light || look == Look::light_view) && lights == 0) {
         settings.color = true;
-        return lights == 0 ? "the scene has no lights to look at"
-                           : fmt::format("the scene has {} lights: accepted are up to {}", lights,
-                                 kMaxLitLights);
+        return "the scene has no lights to look at";
+    }
+    if (look == Look::light && lights > kMaxLitLights) {
+        settings.color = true;
+        return fmt::format("the scene has {} lights: accepted are up to {}", lights, kMaxLitLights);
     }
     switch (look) {
     case Look::items:
@@ -218,7 +231,11 @@ std::string ask_for_planes(Look look, std::size_t lights, Settings& settings)
         add_plane(settings, Aov::material);
         break;
     case Look::depth:
+    case Look::light_view:
         add_plane(settings, Aov::depth);
+        break;
+    case Look::wrong:
+        add_plane(settings, Aov::item);
         break;
     case Look::normals:
         add_plane(settings, Aov::normal);
@@ -259,6 +276,7 @@ void paint(const Film& film, const Painting& painting, std::vector<std::uint8_t>
         paint_ids(film, Aov::material, rgba);
         break;
     case Look::depth:
+    case Look::light_view:
         paint_depth(film, rgba);
         break;
     case Look::normals:
@@ -272,6 +290,9 @@ void paint(const Film& film, const Painting& painting, std::vector<std::uint8_t>
         break;
     case Look::difference:
         paint_difference(film, painting, rgba);
+        break;
+    case Look::wrong:
+        paint_wrong(film, *painting.reference, rgba);
         break;
     }
     if (painting.selected >= 0)

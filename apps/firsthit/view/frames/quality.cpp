@@ -1,5 +1,5 @@
 // quality.cpp - what is left out of frames while something moves.
-#include "view/session/quality.h"
+#include "view/frames/quality.h"
 
 #include <fmt/format.h>
 
