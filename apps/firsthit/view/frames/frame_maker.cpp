@@ -145,7 +145,9 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
     if (!request.moving) {
         shown.box = box_of(world_);
         shown.selected = box_of_instance(world_, request.state.selected);
+        shown.middle_t = seen_t(picks_, world_, view_, view_.width / 2, view_.height / 2);
     } else {
+        shown.middle_t = 0;
         shown.film.width = 0; // the film is of another frame
         shown.box = {};
         shown.selected.reset();
@@ -158,8 +160,7 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
 
 Pick FrameMaker::pick(int x, int y)
 {
-    if (!picks_) picks_ = std::make_unique<Renderer>(1);
-    return view::pick(*picks_, world_, view_, last_.state.settings, x, y);
+    return view::pick(picks_, world_, view_, last_.state.settings, x, y);
 }
 
 } // namespace firsthit::cli::view

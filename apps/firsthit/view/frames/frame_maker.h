@@ -29,7 +29,7 @@ class FrameMaker {
 
     Renderer renderer_;
     std::unique_ptr<Renderer> exact_; // of Look::difference and wrong
-    std::unique_ptr<Renderer> picks_; // of single pixels
+    Renderer picks_{1};               // of single pixels
     int threads_;
     World world_;
     PoseSettings pose_; // of world_

@@ -43,10 +43,12 @@ struct ShownFrame {
     std::string note;    // why it is not what was asked for, or nothing
     Stats stats;
     EngineInfo engine;
-    double made_ms = 0;             // from the request's begin to pixels
-    Camera camera;                  // that it was seen with
-    Box box{};                      // of the posed scene; of frames at rest
-    std::optional<Box> selected;    // of the selected instance; of frames at rest
+    double made_ms = 0;          // from the request's begin to pixels
+    Camera camera;               // that it was seen with
+    Box box{};                   // of the posed scene; of frames at rest
+    std::optional<Box> selected; // of the selected instance; of frames at rest
+    double middle_t =
+        0; // how far what is seen in the middle is along the axis; 0: nothing, or not known
     Clock::time_point state_time{}; // when its making began: its age counts from then
 };
 

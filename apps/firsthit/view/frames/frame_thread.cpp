@@ -26,7 +26,10 @@ struct FrameThread::Maker : FrameMaker {
 FrameThread::FrameThread(int threads, std::function<void()> has_news)
     : has_news_(std::move(has_news)),
       maker_(std::make_unique<Maker>(threads)),
-      thread_([this](const std::stop_token& end) { run(end); })
+      thread_([this](const std::stop_token& end) {
+          run(end);
+          maker_.reset(); // here: the caller's thread may have an OpenGL context of its own
+      })
 {
 }
 

@@ -102,6 +102,20 @@ Pick pick(
     return found;
 }
 
+double seen_t(Renderer& renderer, const World& world, const View& whole, int x, int y)
+{
+    View view = whole;
+    view.region = {x, y, 1, 1};
+    Settings settings;
+    settings.color = false;
+    settings.shadows = Shadows::none;
+    settings.aovs = {Aov::depth};
+    Film film;
+    renderer.render(world, view, settings, film);
+    const double t = double(film[Aov::depth].value[0]);
+    return std::isfinite(t) ? t : 0;
+}
+
 std::vector<std::string> told(const Pick& pick)
 {
     std::vector<std::string> lines{fmt::format("pixel {}, {}", pick.x, pick.y)};

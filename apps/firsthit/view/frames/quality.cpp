@@ -47,12 +47,11 @@ std::vector<Rung> rungs_of(const Settings& whole, bool may_interleave)
             before + fmt::format("{}{} of {} rays", before.empty() ? "" : ", ", n - 1, n);
         rungs.push_back(next);
     }
-    for (const double scale : {0.5, 0.25}) {
+    for (const double scale : {0.7, 0.5, 0.35, 0.25}) {
         Rung next = rungs.back();
         next.scale = scale;
         next.settings.interleave = std::max(1, whole.interleave); // size does it alone
-        next.missing = before + fmt::format("{}{} of the size", before.empty() ? "" : ", ",
-                                    scale == 0.5 ? "half" : "three quarters");
+        next.missing = before + (before.empty() ? "pixels" : ", pixels");
         rungs.push_back(next);
     }
     return rungs;

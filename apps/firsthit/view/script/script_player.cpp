@@ -19,6 +19,8 @@ namespace {
 /// A wait that takes longer has hung: a script is for tests.
 constexpr std::chrono::seconds kMostWait{60};
 
+constexpr std::chrono::seconds kMostResize{2};
+
 template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
@@ -159,8 +161,10 @@ bool ScriptPlayer::done(
                 return true;
             },
             [&](const ResizeAction& size) {
-                target.resize(size.width, size.height);
-                return true;
+                // A window has its new size some time after it was asked for; a screen may also not allow it.
+                if (step_++ == 0) target.resize(size.width, size.height);
+                return (session.width() == size.width && session.height() == size.height) ||
+                       now - *since_ > kMostResize;
             },
             [&](const FileAction& file) {
                 if (file.what == FileAction::What::open) session.open(file.path);

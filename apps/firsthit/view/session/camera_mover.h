@@ -23,6 +23,10 @@ class CameraMover {
     /// height   pixels of its picture, of which the lens of a calibrated camera is
     void take(const Camera& camera, const Box& box, const glm::dvec3& up_axis, int height);
 
+    /// Puts the point in the middle at a distance, where the eye is inside of the box, as in a landscape: its middle is
+    /// of no use then.
+    void focus(double distance, const Box& box);
+
     /// Turns about the point in the middle: about the upright axis, and up and down as far as the poles.
     void orbit(double right_rad, double up_rad);
     /// Turns about the eye.

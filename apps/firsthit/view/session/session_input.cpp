@@ -51,6 +51,9 @@ void ViewSession::button(Button button, bool down, bool shift)
         shift_ = shift;
         dragged_ = false;
         pressed_at_ = pointer_;
+        const std::shared_ptr<const ShownFrame> frame = latest();
+        if (mover_ && frame && frame->request.number == number_)
+            mover_->focus(frame->middle_t, frame->box);
         return;
     }
     if (held_ != button) return;

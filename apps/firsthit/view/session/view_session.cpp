@@ -84,6 +84,7 @@ CameraMover& ViewSession::mover()
         mover_.emplace();
         mover_->take(current ? frame->camera : scene_->start_camera(),
             measured ? frame->box : scene_->box(), scene_->up_axis(), height_);
+        if (measured) mover_->focus(frame->middle_t, frame->box);
     }
     return *mover_;
 }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <vector>
 
 namespace firsthit::cli::view {
 namespace {
@@ -35,6 +37,15 @@ constexpr std::size_t kBars = 100;
 const ImVec2 kBarsSize{345, 110};
 constexpr float kColumn = 118; // of the legend
 
+/// What the bars' full height stands for: all of them, but for few that are much longer.
+double full_height_ms(const std::deque<HistoryEntry>& frames, std::size_t count)
+{
+    std::vector<double> ms;
+    for (std::size_t k = frames.size() - count; k < frames.size(); ++k)
+        ms.push_back(frames[k].made_ms);
+    return std::max(1.0, std::min(quantile(ms, 1), 3 * quantile(ms, 0.5)));
+}
+
 /// One frame from below: its stages, and what is in none of them.
 void draw_bar(
     ImDrawList& list, const HistoryEntry& frame, ImVec2 foot, float width, double px_per_ms)
@@ -42,7 +53,7 @@ void draw_bar(
     float y = foot.y;
     double told = 0;
     const auto add = [&](double ms, ImU32 color) {
-        const float next = y - float(ms * px_per_ms);
+        const float next = std::max(foot.y - kBarsSize.y, y - float(ms * px_per_ms));
         if (y - next > 0.3f) list.AddRectFilled({foot.x, next}, {foot.x + width, y}, color);
         y = next;
     };
@@ -88,12 +99,10 @@ void draw_bars(const ViewSession& session, Clock::time_point now)
         return;
     }
     const std::size_t count = std::min(kBars, frames.size());
-    double most = 1;
-    for (std::size_t k = frames.size() - count; k < frames.size(); ++k)
-        most = std::max(most, frames[k].made_ms);
+    const double most = full_height_ms(frames, count);
     const HistoryEntry& last = frames.back();
     ImGui::TextUnformatted(
-        fmt::format("last frame {:.1f} ms, highest bar {:.1f} ms", last.made_ms, most).c_str());
+        fmt::format("last frame {:.1f} ms, full height {:.1f} ms", last.made_ms, most).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(kBarsSize);
     ImDrawList& list = *ImGui::GetWindowDrawList();
