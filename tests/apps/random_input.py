@@ -1,6 +1,6 @@
 """random_input.py - writes a script of random input for `firsthit view`.
 
-Usage: random_input.py SECONDS SEED. After a third of the time and at the end, the window shows the same scene at
+Usage: random_input.py SECONDS SEED. After two thirds of the time and at the end, the window shows the same scene at
 rest, and measures: view_random_input_test.sh compares the two.
 """
 import random
@@ -39,7 +39,7 @@ def action(r):
 
 def main():
     seconds, r = float(sys.argv[1]), random.Random(int(sys.argv[2]))
-    for share in (1 / 3, 2 / 3):
+    for share in (2 / 3, 1 / 3):
         for step in range(int(share * seconds / STEP_S)):
             print(action(r))
             print('wait 0.1 seconds')

@@ -5,13 +5,14 @@
 source "$(dirname "$0")/cli_checks.sh"
 source "$scripts/hidden_screen.sh"
 
-# play SCENE SCRIPT OPTIONS...: plays a script in a window of 640 x 480.
+size=640x480
+# play SCENE SCRIPT OPTIONS...: plays a script in a window.
 play()
 {
     local scene=$1
     printf '%s\n' "$2" >script.txt
     shift 2
-    timeout 300 "$program" view "$scene" --size 640x480 --script script.txt "$@" 2>said.txt
+    timeout 300 "$program" view "$scene" --size $size --script script.txt "$@" 2>said.txt
 }
 
 # changes WHAT ACTIONS: the window after the actions is another than before. Panels that count are hidden.
@@ -32,7 +33,7 @@ screenshot after.png" || { fail "$what: $(cat said.txt)"; return; }
 }
 
 # Ways of looking.
-for look in items instances materials depth normals light difference; do
+for look in items instances materials depth normals light light-view difference; do
     changes "look $look" "choose look $look
 wait rest"
 done
@@ -42,21 +43,26 @@ choose bars off
 choose corner off
 choose hover off"
 for pair in "shadows none" "shadows map" "samples 3" "aa 1" "interleave 4" "sky 12" "studio on" "exposure 1" \
-    "tonemap aces" "dither off" "time 3" "clip -1" "selected 3"; do
+    "tonemap aces" "dither off" "time 3" "selected 3"; do
     changes "$pair" "choose $pair
 wait rest" "$quiet"
 done
+changes "clip -1" "choose clip -1
+wait rest" "$quiet
+choose time 3"
 for pair in "shadow-filter 9" "shadow-map-size 32" "shadow-bias 1"; do
     changes "$pair" "choose $pair
 wait rest" "$quiet
 choose shadows map"
 done
 # Switches whose picture is the same are seen in the panel.
+size=640x1000
 for pair in "engine hybrid" "engine gpu" "loop off" "speed 2" "rate 30" "hold off" "tile-size 16" "interpolate off" \
     "play on" "turntable on"; do
     changes "$pair in the panel" "choose $pair
 wait 5 frames"
 done
+size=640x480
 # Keys.
 for key in 1 3 7 0 shift+1 shift+3 shift+7 left right up down + - . h v; do
     changes "key $key" "key $key

@@ -135,7 +135,7 @@ void draw_switches(ViewSession& session)
     const float height = ImGui::GetIO().DisplaySize.y;
     ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(
-        {kPanelWidth, std::min(620.0f, height - 2 * kMargin)}, ImGuiCond_FirstUseEver);
+        {kPanelWidth, std::min(860.0f, height - 2 * kMargin)}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Switches (Tab)", nullptr,
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         ImGui::TextDisabled("? lists the keys");

@@ -21,6 +21,8 @@ namespace {
 
 /// How long the window sleeps without an event: while something moves, and at rest.
 constexpr double kMovingWait_s = 0.002, kRestWait_s = 0.25;
+/// How long panels wait for a picture.
+constexpr std::chrono::milliseconds kPanelsWait{30};
 /// Panels need some frames to settle after an event.
 constexpr int kRedraws = 3;
 
@@ -168,11 +170,15 @@ void Window::look_for_news()
     redraws_ = std::max(redraws_, 1);
 }
 
-/// Whether the next picture may be shown already.
+/// Whether the window is to be drawn. While something moves, panels wait for the picture that is in work: drawn at
+/// once, they would hold it up.
 bool Window::is_due(Clock::time_point now) const
 {
-    return options_.fps_limit == 0 ||
-           now - swapped_ >= std::chrono::duration<double>(1 / options_.fps_limit);
+    const auto since = now - swapped_;
+    if (redraws_ == 0) return false;
+    if (options_.fps_limit > 0 && since < std::chrono::duration<double>(1 / options_.fps_limit))
+        return false;
+    return frame_is_new_ || since >= kPanelsWait || !session_->is_moving(now);
 }
 
 void Window::show(Clock::time_point now)
@@ -207,9 +213,12 @@ void Window::run()
         if (surface_->is_lost()) renew();
         look_for_news();
         const bool iconified = glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) != 0;
-        if (!iconified && redraws_ > 0 && is_due(now)) show(now);
+        const bool shows = !iconified && is_due(now);
+        if (shows) show(now);
         if (!script_) continue;
         redraws_ = std::max(redraws_, 1); // panels answer a script's hand
+        if (!shows && !iconified && now - swapped_ < kPanelsWait)
+            continue; // once a picture, as a hand does
         if (!script_->step(*session_, *input_, Clock::now())) break;
     }
     if (!options_.screenshot.empty()) screenshot(options_.screenshot);
