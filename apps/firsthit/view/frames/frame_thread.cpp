@@ -100,10 +100,14 @@ std::uint64_t FrameThread::cancelled() const
 /// A frame that nobody holds any more. With the lock.
 std::shared_ptr<ShownFrame> FrameThread::unused_frame()
 {
-    for (const std::shared_ptr<ShownFrame>& frame : frames_)
-        if (frame.use_count() == 1) return frame;
-    frames_.push_back(std::make_shared<ShownFrame>());
-    return frames_.back();
+    std::shared_ptr<ShownFrame> unused;
+    for (const std::shared_ptr<ShownFrame>& frame : frames_) {
+        if (frame.use_count() > 1) continue;
+        frame->request = {}; // so that it does not keep a scene
+        unused = frame;
+    }
+    if (!unused) unused = frames_.emplace_back(std::make_shared<ShownFrame>());
+    return unused;
 }
 
 void FrameThread::run(const std::stop_token& end)
@@ -161,7 +165,7 @@ void FrameThread::run(const std::stop_token& end)
         error_number_ = error.empty() ? 0 : request.number;
         if (error.empty()) {
             latest_ = frame;
-            if (!request.moving) pick_.reset();
+            pick_.reset(); // of another picture
         }
         lock.unlock();
         has_news_();

@@ -13,7 +13,7 @@ namespace {
 /// How far a directional light's eye is, in radii of the scene: rays differ by 1 / 20 rad at most.
 constexpr double kFarRadii = 20;
 /// The widest picture of a point light, and some room around the scene.
-constexpr double kWidestRad = 2 * std::numbers::pi / 3, kRoom = 1.05;
+constexpr double kWidestRad = 2 * std::numbers::pi / 3, kAround = 1.05;
 
 } // namespace
 
@@ -31,12 +31,12 @@ Camera camera_of_light(const Light& light, const Box& box)
     case Light::Kind::directional:
         camera.direction = glm::normalize(light.direction);
         camera.eye = middle - camera.direction * (kFarRadii * radius);
-        camera.fov_y_rad = 2 * std::asin(1 / kFarRadii) * kRoom;
+        camera.fov_y_rad = 2 * std::asin(1 / kFarRadii) * kAround;
         break;
     case Light::Kind::point: {
         const double far = glm::length(middle - light.position);
         camera.direction = far > 0 ? middle - light.position : glm::dvec3(0, 0, -1);
-        const double angle = far > radius ? 2 * std::asin(radius / far) * kRoom : kWidestRad;
+        const double angle = far > radius ? 2 * std::asin(radius / far) * kAround : kWidestRad;
         camera.fov_y_rad = std::min(kWidestRad, angle);
         break;
     }

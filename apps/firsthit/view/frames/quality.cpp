@@ -8,6 +8,8 @@
 namespace firsthit::cli::view {
 namespace {
 
+/// As many directions still tell light from dark.
+constexpr int kFewDirections = 5;
 /// A frame of a rung is tried again after this long, when what was known of it may be old.
 constexpr std::chrono::seconds kStale{3};
 /// What a frame may take longer than wanted before a lower rung is taken: machines are noisy.
@@ -29,8 +31,12 @@ std::vector<Rung> rungs_of(const Settings& whole, bool may_interleave)
 {
     std::vector<Rung> rungs(1);
     rungs[0].settings = whole;
+    if (whole.sky.directions > kFewDirections) {
+        add_rung(rungs, "most of the sky");
+        rungs.back().settings.sky.directions = kFewDirections;
+    }
     if (whole.sky.directions > 0) {
-        add_rung(rungs, "sky");
+        rungs.push_back({.settings = rungs.back().settings, .missing = "sky"});
         rungs.back().settings.sky.directions = 0;
     }
     if (whole.samples > 1 || whole.adaptive > 1) {
