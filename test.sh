@@ -4,7 +4,7 @@
 set -euo pipefail
 cd -- "$(dirname -- "$0")"
 
-scripts/install_packages.sh build
+scripts/install_packages.sh build test
 scripts/fetch_scenes.sh || [ $? -eq 3 ]
 scripts/build.sh release -D FIRSTHIT_WERROR="${FIRSTHIT_WERROR:-OFF}"
 source scripts/test_environment.sh

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # install_packages.sh - the Debian 12 packages that a job needs; skips what is there.
-# Usage: install_packages.sh [build] [ci] [scenes]. Without a word: build.
+# Usage: install_packages.sh [build] [test] [ci] [scenes]. Without a word: build.
 set -euo pipefail
 
 build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
     libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
     nlohmann-json3-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libjpeg-dev
-    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri python3"
+    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev python3"
+test="xvfb ffmpeg"
 ci="clang-format-14 clang-tidy-14 doxygen clang-14 libclang-rt-14-dev glslang-tools ffmpeg pkg-config"
 scenes="npm ca-certificates"
 
@@ -14,9 +15,10 @@ needed=""
 for job in "${@:-build}"; do
     case "$job" in
         build) needed+=" $build" ;;
+        test) needed+=" $test" ;;
         ci) needed+=" $ci" ;;
         scenes) command -v npm >/dev/null || needed+=" $scenes" ;;
-        *) echo "usage: install_packages.sh [build] [ci] [scenes]" >&2; exit 2 ;;
+        *) echo "usage: install_packages.sh [build] [test] [ci] [scenes]" >&2; exit 2 ;;
     esac
 done
 

@@ -221,11 +221,8 @@ int run_render(const RenderOptions& given)
     const bool has_lights = !options.light.lights.empty();
     std::optional<ViewMaker> views;
     GroundMaker ground(options, views);
-    SceneSource source(options.scene, [&](Scene& scene) {
-        apply(options.light, scene);
-        apply(options.environment, scene);
-        if (wants_studio(options.sky, scene, has_lights)) apply_studio(options.sky, scene);
-        apply(options.picture.backdrop, scene);
+    SceneSource source(options.scene, [&, change = scene_changes(options)](Scene& scene) {
+        change(scene);
         if (options.ground.wanted) ground.add(scene);
     });
     std::shared_ptr<const Scene> scene = source.first();

@@ -2,6 +2,7 @@
 # the program as $1.
 set -uo pipefail
 program=$(realpath "$1")
+scripts=$(realpath "$(dirname "$0")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1

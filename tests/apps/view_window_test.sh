@@ -1,34 +1,18 @@
 #!/usr/bin/env bash
 # view_window_test.sh - the window of `firsthit view` under Xvfb: every switch, way of looking, key and panel is seen to
 # change what it should. Ends with 77, which ctest counts as skipped, where Xvfb or the window is missing.
-# Usage: view_window_test.sh PROGRAM [FUZZ_SECONDS [SEED]]
+# Usage: view_window_test.sh PROGRAM
 source "$(dirname "$0")/cli_checks.sh"
-fuzz_s=${2:-0} seed=${3:-1}
-command -v Xvfb >/dev/null || { echo "skipped: no Xvfb (apt-get install xvfb)"; exit 77; }
-if DISPLAY= WAYLAND_DISPLAY= "$program" view builtin:torus 2>&1 | grep -q "built without a window"; then
-    echo "skipped: this firsthit was built without a window"
-    exit 77
-fi
-# The server chooses a free display and tells it.
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>display.txt 2>xvfb.txt &
-server=$!
-trap 'kill $server 2>/dev/null; rm -rf "$folder"' EXIT
-for _ in $(seq 100); do
-    [ -s display.txt ] && break
-    sleep 0.1
-done
-[ -s display.txt ] || { echo "skipped: Xvfb does not start: $(cat xvfb.txt)"; exit 77; }
-DISPLAY=:$(cat display.txt)
-export DISPLAY LIBGL_ALWAYS_SOFTWARE=1
-unset WAYLAND_DISPLAY
+source "$scripts/hidden_screen.sh"
 
-# play SCENE SCRIPT OPTIONS...: plays a script in a window of 640 x 480.
+size=640x480
+# play SCENE SCRIPT OPTIONS...: plays a script in a window.
 play()
 {
     local scene=$1
     printf '%s\n' "$2" >script.txt
     shift 2
-    timeout 300 "$program" view "$scene" --size 640x480 --script script.txt "$@" 2>said.txt
+    timeout 300 "$program" view "$scene" --size $size --script script.txt "$@" 2>said.txt
 }
 
 # changes WHAT ACTIONS: the window after the actions is another than before. Panels that count are hidden.
@@ -49,7 +33,7 @@ screenshot after.png" || { fail "$what: $(cat said.txt)"; return; }
 }
 
 # Ways of looking.
-for look in items instances materials depth normals light difference; do
+for look in items instances materials depth normals light light-view difference; do
     changes "look $look" "choose look $look
 wait rest"
 done
@@ -59,21 +43,26 @@ choose bars off
 choose corner off
 choose hover off"
 for pair in "shadows none" "shadows map" "samples 3" "aa 1" "interleave 4" "sky 12" "studio on" "exposure 1" \
-    "tonemap aces" "dither off" "time 3" "clip -1" "selected 3"; do
+    "tonemap aces" "dither off" "time 3" "selected 3"; do
     changes "$pair" "choose $pair
 wait rest" "$quiet"
 done
+changes "clip -1" "choose clip -1
+wait rest" "$quiet
+choose time 3"
 for pair in "shadow-filter 9" "shadow-map-size 32" "shadow-bias 1"; do
     changes "$pair" "choose $pair
 wait rest" "$quiet
 choose shadows map"
 done
 # Switches whose picture is the same are seen in the panel.
+size=640x1000
 for pair in "engine hybrid" "engine gpu" "loop off" "speed 2" "rate 30" "hold off" "tile-size 16" "interpolate off" \
     "play on" "turntable on"; do
     changes "$pair in the panel" "choose $pair
 wait 5 frames"
 done
+size=640x480
 # Keys.
 for key in 1 3 7 0 shift+1 shift+3 shift+7 left right up down + - . h v; do
     changes "key $key" "key $key
@@ -157,42 +146,6 @@ wait rest
 key f12
 screenshot end.png" --screenshot last.png || fail "size and files: $(cat said.txt)"
 [ -s firsthit-001.png ] && [ -s last.png ] || fail "F12 or --screenshot wrote nothing"
-
-# Seeded random input.
-if [ "$fuzz_s" -gt 0 ]; then
-    checks=$((checks + 1))
-    python3 - "$fuzz_s" "$seed" >fuzz.txt <<'PY'
-import random, sys
-seconds, seed = int(sys.argv[1]), int(sys.argv[2])
-r = random.Random(seed)
-keys = 'w a s d q e 1 3 7 0 f shift+f home left right up down + - space . , [ ] l t v shift+v g h tab b i ? c r'.split()
-point = lambda: f'{r.randrange(640)} {r.randrange(480)}'
-switches = {'samples': '1 2', 'aa': '1 3', 'interleave': '1 2 5', 'sky': '0 8', 'shadows': 'none map exact auto',
-    'shadow-filter': '1 5', 'hold': 'on off', 'rate': '20 90', 'tile-size': '8 64 128', 'exposure': '0 1',
-    'item-format': 'r32ui rgba8 rgb8', 'depth-format': 'float32 fixed24', 'readback': 'sync async',
-    'multisample': 'none lazy3 full5 exact', 'gpu-passes': 'single multi', 'selected': '-1 0 2'}
-spent = 0.0
-while spent < seconds:
-    kind = r.randrange(8)
-    if kind == 0: print('key', r.choice(keys), 0.1)
-    if kind == 1: print('click', point(), r.choice(['left', 'right', 'middle']))
-    if kind == 2: print('drag', point(), point(), r.choice(['left', 'right', 'middle', 'shift']), r.randrange(2, 12))
-    if kind == 3: print('scroll', point(), r.randrange(-5, 6))
-    if kind == 4:
-        name = r.choice(list(switches))
-        print('choose', name, r.choice(switches[name].split()))
-    if kind == 5: print('resize', r.randrange(60, 800), r.randrange(60, 600))
-    if kind == 6: print('mouse', point())
-    if kind == 7: print('key', r.choice(keys))
-    print('wait 0.1 seconds')
-    spent += 0.25
-    if r.randrange(40) == 0: print('key home'); print('choose samples 1')
-print('measure')
-PY
-    timeout $((fuzz_s * 6 + 120)) "$program" view builtin:robots --size 640x480 --script fuzz.txt >measured.txt 2>said.txt ||
-        fail "random input, seed $seed: $(tail -c 500 said.txt)"
-    cat measured.txt
-fi
 
 echo "$checks checks, $failures failures"
 [ "$failures" = 0 ]

@@ -37,6 +37,22 @@ constexpr BasicOption kRender[] = {
     {"--verbose", "say what is done"},
 };
 
+constexpr BasicOption kView[] = {
+    {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|wave"},
+    {"--size", "pixels of the window; default 1280x720"},
+    {"--engine", "cpu (the default, exact), hybrid, gpu or auto"},
+    {"--shadows", "exact (the default), map, or none"},
+    {"--rate", "frames a second to hold while something moves; default 60"},
+    {"--fps-limit", "show at most so many frames a second"},
+    {"--time", "seconds of the animation; default its begin"},
+    {"--view", "iso, front, back, left, right, top or bottom"},
+    {"--up-axis", "what is up in the file: x, y, z, -x, -y or -z"},
+    {"--script", "play the actions of a file, as a test does"},
+    {"--screenshot", "a picture of the window at the script's end"},
+    {"--no-window", "play the script without a window or display"},
+    {"--measure", "at the end print frames a second and the age of input"},
+};
+
 constexpr BasicOption kInfo[] = {
     {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|wave"},
     {"--json", "all of it as one JSON object"},
@@ -121,6 +137,12 @@ constexpr auto kHelps = std::to_array<BasicHelp>({
         "  firsthit render part.stl --aov depth=depth.npy --aov instance=ids.npy\n"
         "  firsthit render town.glb --exr town.exr --manifest town.json\n",
         kRender},
+    {"view", "view SCENE [OPTIONS]",
+        "  firsthit view bunny.stl\n"
+        "  firsthit view walk.glb --size 1920x1080\n"
+        "  firsthit view builtin:robots --engine hybrid --shadows map\n"
+        "  firsthit view builtin:robots --script actions.txt --screenshot window.png\n",
+        kView},
     {"info", "info SCENE [--json]",
         "  firsthit info bunny.stl\n"
         "  firsthit info walk.glb --json\n"

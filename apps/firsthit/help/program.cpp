@@ -15,9 +15,7 @@
 #include "mask_command.h"
 #include "occlusion_command.h"
 #include "render_command.h"
-#ifdef FIRSTHIT_VIEW
 #include "view/view_command.h"
-#endif
 #include "visible_command.h"
 
 #include <firsthit/render.h>
@@ -41,9 +39,7 @@ struct Program::Impl {
     VisibleOptions visible;
     CompareOptions compare;
     OcclusionOptions occlusion;
-#ifdef FIRSTHIT_VIEW
     ViewOptions view;
-#endif
     bench::BenchOptions bench;
     std::string topic, shell; // of help and completion
     bool quiet = false, verbose = false;
@@ -93,12 +89,10 @@ void Program::Impl::add_working_commands()
         "render", "Make pictures, films and planes of a scene",
         [&](CLI::App& command) { add_render_options(command, render); },
         [&] { return run_render(render); });
-#ifdef FIRSTHIT_VIEW
     add(
         "view", "Look at a scene in a window, and at how its picture is made",
         [&](CLI::App& command) { add_view_options(command, view); },
         [&] { return run_view(view); });
-#endif
     add(
         "info", "Tell what is in a scene",
         [&](CLI::App& command) { add_info_options(command, info); },

@@ -301,6 +301,17 @@ int adaptive_samples(const RenderOptions& options)
     return options.adaptive.value_or(picture && !options.sky.draft ? 4 : 1);
 }
 
+std::function<void(Scene&)> scene_changes(const RenderOptions& options)
+{
+    return [light = options.light, environment = options.environment, sky = options.sky,
+               backdrop = options.picture.backdrop](Scene& scene) {
+        apply(light, scene);
+        apply(environment, scene);
+        if (wants_studio(sky, scene, !light.lights.empty())) apply_studio(sky, scene);
+        apply(backdrop, scene);
+    };
+}
+
 Settings render_settings(const RenderOptions& options)
 {
     Settings settings;

@@ -14,6 +14,7 @@
 #include <firsthit/render.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,6 +83,11 @@ void check_memory(const RenderOptions& options, std::size_t lights);
 /// Settings::adaptive: what was asked for, else 4 for a picture of one ray a pixel by an engine that
 /// knows it, but for --draft, else 1.
 int adaptive_samples(const RenderOptions& options);
+
+/// What the options replace in every scene that is read: lights, environment, studio, background. It has a copy of
+/// the options, so that a thread that reads ahead may call it.
+/// options  after read_files and turn_suns
+std::function<void(Scene&)> scene_changes(const RenderOptions& options);
 
 /// What the renderer is told.
 Settings render_settings(const RenderOptions& options);

@@ -12,7 +12,7 @@
 namespace firsthit::cli {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kViewExamples = R"(Examples:
   firsthit view bunny.stl
   firsthit view builtin:robots --engine hybrid --shadows map
   firsthit view walk.glb --size 1920x1080 --rate 30
@@ -76,7 +76,7 @@ void add_view_options(CLI::App& app, ViewOptions& options)
     add_engine_options(app, picture.engine);
     add_parsed(app, "--threads", picture.threads, integer(0, 1024), "N",
         "Threads, 0 to 1024; default 0: one for each core");
-    app.footer(kExamples);
+    app.footer(kViewExamples);
 }
 
 void check(ViewOptions& options)

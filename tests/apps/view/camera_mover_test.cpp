@@ -54,6 +54,21 @@ TEST(CameraMover, OrbitKeepsDistanceAndMiddle)
     EXPECT_NEAR(glm::length(after.eye + after.direction - at), 0, 1e-9);
 }
 
+TEST(CameraMover, InsideOfASceneItTurnsAboutWhatIsSeen)
+{
+    const Box wide{glm::dvec3(-100, -1, -100), glm::dvec3(100, 1, 100)};
+    for (const Box& box : {wide, kBox}) {
+        CameraMover mover = taken();
+        const Camera before = mover.camera();
+        mover.focus(2.5, box);
+        const bool inside = box == wide; // else the whole is seen from outside, and turned
+        EXPECT_NEAR(mover.distance(), inside ? 2.5 : glm::length(before.direction), 1e-9);
+        EXPECT_NEAR(
+            glm::dot(glm::normalize(mover.camera().direction), glm::normalize(before.direction)), 1,
+            1e-12);
+    }
+}
+
 TEST(CameraMover, OrbitStopsAtThePoles)
 {
     for (const double way : {1.0, -1.0}) {

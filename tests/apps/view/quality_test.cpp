@@ -1,5 +1,5 @@
 // quality_test.cpp - what is left out while something moves, and in which order.
-#include "view/session/quality.h"
+#include "view/frames/quality.h"
 
 #include <gtest/gtest.h>
 
@@ -17,22 +17,27 @@ Settings dear()
 TEST(Quality, LeavesOutSkyThenSupersamplingThenRaysThenSize)
 {
     const std::vector<Rung> rungs = rungs_of(dear(), true);
-    ASSERT_EQ(rungs.size(), 7u);
+    ASSERT_EQ(rungs.size(), 10u);
     EXPECT_EQ(rungs[0].missing, "");
-    EXPECT_EQ(rungs[1].missing, "sky");
-    EXPECT_EQ(rungs[1].settings.adaptive, 4);
-    EXPECT_EQ(rungs[2].missing, "sky, supersampling");
-    EXPECT_EQ(rungs[3].settings.interleave, 2);
-    EXPECT_EQ(rungs[4].settings.interleave, 4);
-    EXPECT_EQ(rungs[5].scale, 0.5);
-    EXPECT_EQ(rungs[6].scale, 0.25);
+    EXPECT_EQ(rungs[1].missing, "most of the sky");
+    EXPECT_GT(rungs[1].settings.sky.directions, 0);
+    EXPECT_LT(rungs[1].settings.sky.directions, 24);
+    EXPECT_EQ(rungs[2].missing, "sky");
+    EXPECT_EQ(rungs[2].settings.sky.directions, 0);
+    EXPECT_EQ(rungs[2].settings.adaptive, 4);
+    EXPECT_EQ(rungs[3].missing, "sky, supersampling");
+    EXPECT_EQ(rungs[4].settings.interleave, 2);
+    EXPECT_EQ(rungs[5].settings.interleave, 4);
+    EXPECT_EQ(rungs[5].scale, 1);
+    for (std::size_t k = 6; k < 10; ++k) EXPECT_LT(rungs[k].scale, rungs[k - 1].scale);
+    EXPECT_EQ(rungs[9].missing, "sky, supersampling, pixels");
 }
 
 TEST(Quality, StepsThatLeaveOutNothingAreNotThere)
 {
     const std::vector<Rung> rungs = rungs_of(Settings{}, false);
-    ASSERT_EQ(rungs.size(), 3u); // whole, and two sizes
-    EXPECT_EQ(rungs[1].scale, 0.5);
+    ASSERT_EQ(rungs.size(), 5u); // whole, and four sizes
+    EXPECT_LT(rungs[1].scale, 1);
     for (const Rung& rung : rungs) EXPECT_EQ(rung.settings.interleave, 1);
 }
 

@@ -2,8 +2,8 @@
 #include "view/session/view_session.h"
 
 #include "common/usage.h"
+#include "apps/view/sessions.h"
 #include "message_of.h"
-#include "temporary_folder.h"
 
 #include <firsthit/error.h>
 #include <firsthit/film_data.h>
@@ -12,35 +12,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <thread>
 
 namespace firsthit::cli::view {
 namespace {
-
-RenderOptions options_of(const std::string& scene)
-{
-    RenderOptions options;
-    options.scene.name = scene;
-    options.output = "-";
-    options.camera.size = Size{160, 120};
-    options.threads = 2;
-    return options;
-}
-
-/// Lets a session go on until its picture is at rest. False: it took a minute.
-bool comes_to_rest(ViewSession& session)
-{
-    const auto begin = Clock::now();
-    while (Clock::now() - begin < std::chrono::minutes(1)) {
-        session.update();
-        if (session.is_at_rest(Clock::now())) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-}
 
 /// The picture of the library alone, with the state of a session.
 Film rendered(const ViewSession& session)
@@ -83,7 +59,7 @@ TEST(ViewSession, AtRestShowsThePictureOfRender)
     int tried = 0;
     session.choose_switch("time", "1.5");
     for (const char* shadows : {"none", "map", "exact"})
-        for (const char* sampling : {"aa 1", "aa 3", "samples 2", "interleave 3"})
+        for (const char* sampling : {"aa 1", "aa 3", "samples 2", "interleave 4"})
             for (const char* sky : {"0", "5"})
                 for (const char* tile : {"64", "16"}) {
                     const std::string text = sampling;
@@ -212,8 +188,9 @@ TEST(ViewSession, TellsWhatIsUnderThePointerAndSelectsIt)
     pose(std::make_shared<const Scene>(load_scene("builtin:torus")), 0, world);
     Settings settings;
     settings.aovs = {Aov::item, Aov::depth};
-    renderer.render(
-        world, {.camera = session.latest()->camera, .width = 160, .height = 120}, settings, film);
+    renderer.render(world,
+        {.camera = session.latest()->camera, .width = 160, .height = 120, .region = {}}, settings,
+        film);
     const std::size_t pixel = std::size_t(found->y) * 160 + std::size_t(found->x);
     EXPECT_EQ(found->triangle, film.item[pixel]);
     EXPECT_EQ(found->t, film[Aov::depth].value[pixel]);
@@ -224,41 +201,6 @@ TEST(ViewSession, TellsWhatIsUnderThePointerAndSelectsIt)
     EXPECT_EQ(session.state().selected, std::int32_t(found->instance));
     ASSERT_TRUE(comes_to_rest(session));
     EXPECT_NE(session.latest()->rgba, before) << "the outline";
-}
-
-TEST(ViewSession, AFileThatFailsLeavesTheOldScene)
-{
-    const TemporaryFolder folder;
-    const std::string bad = folder / "bad.off";
-    std::ofstream(bad) << "OFF\n3 1 0\nnonsense\n";
-    ViewSession session(options_of("builtin:torus"), [] {});
-    session.resize(160, 120);
-    ASSERT_TRUE(comes_to_rest(session));
-    const std::vector<std::uint8_t> before = session.latest()->rgba;
-    session.open(bad);
-    ASSERT_TRUE(comes_to_rest(session));
-    EXPECT_NE(session.message().find("bad.off"), std::string::npos) << session.message();
-    EXPECT_EQ(session.latest()->rgba, before);
-    EXPECT_EQ(session.scene().options().scene.name, "builtin:torus");
-}
-
-TEST(ViewSession, AFileThatChangesIsReadAgain)
-{
-    const TemporaryFolder folder;
-    const std::string file = folder / "one.off";
-    std::ofstream(file) << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    ViewSession session(options_of(file), [] {});
-    session.resize(160, 120);
-    ASSERT_TRUE(comes_to_rest(session));
-    EXPECT_EQ(session.scene().first().triangle_count(), 1u);
-    std::ofstream(file) << "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n";
-    std::filesystem::last_write_time(
-        file, std::filesystem::last_write_time(file) + std::chrono::seconds(2));
-    for (int k = 0; k < 5000 && session.scene().first().triangle_count() != 2; ++k) {
-        session.update();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    EXPECT_EQ(session.scene().first().triangle_count(), 2u);
 }
 
 TEST(ViewSession, WrongChoicesChangeNothing)

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kActions =
     "key, mouse, click, drag, scroll, wait, choose, assert, refute, screenshot, picture, open, "
-    "resize, measure and quit";
+    "resize, measure, renew and quit";
 
 /// The words of a line, and where it stands. All throw UsageError that says so.
 class Line {
@@ -170,6 +170,7 @@ Action action_of(Line& line, int number)
     if (action == "picture") return {number, FileAction{What::picture, line.word("a file")}};
     if (action == "open") return {number, FileAction{What::open, line.word("a file")}};
     if (action == "measure") return {number, MeasureAction{}};
+    if (action == "renew") return {number, RenewAction{}};
     if (action == "quit") return {number, QuitAction{}};
     line.fail(fmt::format("'{}' is no action: accepted are {}", action, kActions));
 }

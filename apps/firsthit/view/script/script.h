@@ -49,13 +49,15 @@ struct FileAction {
     std::string path;
 };
 struct MeasureAction {};
+struct RenewAction {};
 struct QuitAction {};
 
 /// One line of a script.
 struct Action {
     int line = 0;
     std::variant<KeyAction, PointerAction, ClickAction, DragAction, ScrollAction, WaitAction,
-        ChooseAction, AssertAction, ResizeAction, FileAction, MeasureAction, QuitAction>
+        ChooseAction, AssertAction, ResizeAction, FileAction, MeasureAction, RenewAction,
+        QuitAction>
         what;
 };
 
@@ -66,7 +68,7 @@ struct Action {
 ///     wait rest | wait N frames | wait N seconds | wait pick
 ///     choose SWITCH VALUE     assert SWITCH VALUE   refute SWITCH VALUE
 ///     screenshot FILE         picture FILE          open FILE
-///     resize W H              measure               quit
+///     resize W H              measure               renew                quit
 ///
 /// name    of the script, for messages
 /// throws  UsageError: the script's name, the line, and what is accepted

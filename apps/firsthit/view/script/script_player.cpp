@@ -3,12 +3,12 @@
 
 #include "common/output.h"
 #include "common/usage.h"
+#include "view/frames/write_pixels.h"
+#include "view/session/process_memory.h"
 
 #include <firsthit/error.h>
-#include <firsthit/file.h>
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <cmath>
 #include <utility>
@@ -19,6 +19,8 @@ namespace {
 /// A wait that takes longer has hung: a script is for tests.
 constexpr std::chrono::seconds kMostWait{60};
 
+constexpr std::chrono::seconds kMostResize{2};
+
 template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
@@ -27,27 +29,6 @@ template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 
 } // namespace
-
-void write_pixels(
-    const std::vector<std::uint8_t>& rgba, int width, int height, const std::string& path)
-{
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(width);
-    image.height = static_cast<png_uint_32>(height);
-    image.format = PNG_FORMAT_RGB;
-    std::vector<std::uint8_t> rgb;
-    rgb.reserve(rgba.size() / 4 * 3);
-    for (std::size_t k = 0; k < rgba.size(); ++k)
-        if (k % 4 != 3) rgb.push_back(rgba[k]);
-    png_alloc_size_t size = 0;
-    png_image_write_to_memory(&image, nullptr, &size, 0, rgb.data(), 0, nullptr);
-    std::string bytes(size, '\0');
-    if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr))
-        throw FileError(fmt::format("{}: {}", path, image.message));
-    bytes.resize(size);
-    write_file(path, bytes);
-}
 
 void SessionInput::screenshot(const std::string& path)
 {
@@ -104,7 +85,8 @@ bool ScriptPlayer::waited(const WaitAction& wait, ViewSession& session, Clock::t
     case WaitAction::For::pick:
         return session.latest_pick().has_value();
     case WaitAction::For::frames:
-        return double(session.history().count() - frames_before_) >= wait.count;
+        if (session.is_at_rest(now)) ++step_; // no new pictures come, but the window is drawn
+        return double(session.history().count() - frames_before_) + step_ >= wait.count;
     case WaitAction::For::seconds:
         return std::chrono::duration<double>(now - *since_).count() >= wait.count;
     }
@@ -179,8 +161,10 @@ bool ScriptPlayer::done(
                 return true;
             },
             [&](const ResizeAction& size) {
-                target.resize(size.width, size.height);
-                return true;
+                // A window has its new size some time after it was asked for; a screen may also not allow it.
+                if (step_++ == 0) target.resize(size.width, size.height);
+                return (session.width() == size.width && session.height() == size.height) ||
+                       now - *since_ > kMostResize;
             },
             [&](const FileAction& file) {
                 if (file.what == FileAction::What::open) session.open(file.path);
@@ -192,6 +176,10 @@ bool ScriptPlayer::done(
             [&](const MeasureAction&) {
                 if (step_ == 0) print(measured(session));
                 session.history().restart();
+                return true;
+            },
+            [&](const RenewAction&) {
+                target.renew();
                 return true;
             },
             [&](const QuitAction&) {
@@ -211,11 +199,13 @@ std::string measured(const ViewSession& session)
     return fmt::format("{} frames, {:.1f} a second over the last, {:.1f} at the slowest hundredth; "
                        "longest gap {:.1f} ms\n"
                        "input to screen, {} events: median {:.1f} ms, 99 % {:.1f} ms\n"
-                       "making a frame: median {:.1f} ms; given up: {}\n",
+                       "making a frame: median {:.1f} ms; given up: {}\n"
+                       "input waited at most {:.1f} ms; memory {:.1f} MB\n",
         history.count(),
         history.rate(history.frames().empty() ? Clock::now() : history.frames().back().shown),
         history.low_rate(), history.longest_gap_ms(), ms.size(), quantile(ms, 0.5),
-        quantile(ms, 0.99), quantile(made, 0.5), session.cancelled());
+        quantile(ms, 0.99), quantile(made, 0.5), session.cancelled(), history.longest_turn_ms(),
+        memory_mb());
 }
 
 } // namespace firsthit::cli::view

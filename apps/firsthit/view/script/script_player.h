@@ -22,6 +22,8 @@ class InputTarget {
     virtual void resize(int width, int height) = 0;
     /// Writes what is on the screen.
     virtual void screenshot(const std::string& path) = 0;
+    /// Makes the window and its OpenGL context again, as after a lost context.
+    virtual void renew() = 0;
 };
 
 /// The target that is a session without a window; its screenshot is the picture with its look.
@@ -37,6 +39,7 @@ class SessionInput : public InputTarget {
     void key(const std::string& name, bool down) override { session_.key(name, down); }
     void resize(int width, int height) override { session_.resize(width, height); }
     void screenshot(const std::string& path) override;
+    void renew() override {}
 
   private:
     ViewSession& session_;
@@ -69,12 +72,8 @@ class ScriptPlayer {
     bool quits_ = false;
     std::optional<Clock::time_point> since_; // of the action in work
     std::uint64_t frames_before_ = 0;
-    int step_ = 0; // of a drag, a key
+    int step_ = 0; // of an action that takes several
 };
-
-/// Writes pixels (height, width, 4), top row first, as .png. throws  FileError
-void write_pixels(
-    const std::vector<std::uint8_t>& rgba, int width, int height, const std::string& path);
 
 /// How long it took from input to the screen, in lines to read.
 std::string measured(const ViewSession& session);

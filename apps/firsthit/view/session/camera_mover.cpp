@@ -54,6 +54,12 @@ void CameraMover::take(const Camera& camera, const Box& box, const glm::dvec3& u
     up_ = same ? glm::normalize(up_axis) : glm::normalize(camera.up);
 }
 
+void CameraMover::focus(double far, const Box& box)
+{
+    if (!(far > 0) || glm::length(middle_of(box) - eye_) > radius_of(box)) return;
+    at_ = eye_ + glm::normalize(at_ - eye_) * far;
+}
+
 std::array<glm::dvec3, 3> CameraMover::axes() const
 {
     const glm::dvec3 forward = glm::normalize(at_ - eye_);

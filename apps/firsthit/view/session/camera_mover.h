@@ -1,6 +1,8 @@
 // camera_mover.h - moves a camera as a hand asks: round a point, sideways, towards the pointer, through the scene.
 #pragma once
 
+#include "view/frames/box.h"
+
 #include <firsthit/view.h>
 
 #include <glm/vec2.hpp>
@@ -11,9 +13,6 @@
 
 namespace firsthit::cli::view {
 
-/// An axis-aligned box in world space.
-using Box = std::array<glm::dvec3, 2>;
-
 /// A pinhole camera with the point that it turns about. What it shows is what `render` shows with the options
 /// that as_options() writes, bit for bit.
 class CameraMover {
@@ -23,6 +22,10 @@ class CameraMover {
     /// up_axis  what stays upright while the camera turns
     /// height   pixels of its picture, of which the lens of a calibrated camera is
     void take(const Camera& camera, const Box& box, const glm::dvec3& up_axis, int height);
+
+    /// Puts the point in the middle at a distance, where the eye is inside of the box, as in a landscape: its middle is
+    /// of no use then.
+    void focus(double distance, const Box& box);
 
     /// Turns about the point in the middle: about the upright axis, and up and down as far as the poles.
     void orbit(double right_rad, double up_rad);

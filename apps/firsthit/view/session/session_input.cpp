@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace firsthit::cli::view {
@@ -22,15 +21,6 @@ constexpr double kClick = 4;
 constexpr double kZoomStep = 0.9;
 /// Of arrow keys, radians.
 constexpr double kArrowRad = std::numbers::pi / 24;
-
-/// The first free name of a picture in the working folder.
-std::string free_picture_name()
-{
-    for (int k = 1;; ++k) {
-        const std::string name = fmt::format("firsthit-{:03}.png", k);
-        if (!std::filesystem::exists(name)) return name;
-    }
-}
 
 } // namespace
 
@@ -61,6 +51,9 @@ void ViewSession::button(Button button, bool down, bool shift)
         shift_ = shift;
         dragged_ = false;
         pressed_at_ = pointer_;
+        const std::shared_ptr<const ShownFrame> frame = latest();
+        if (mover_ && frame && frame->request.number == number_)
+            mover_->focus(frame->middle_t, frame->box);
         return;
     }
     if (held_ != button) return;
@@ -139,6 +132,12 @@ void ViewSession::choose_next(const char* name, int by)
     choose_switch(name, chosen.words[std::size_t((at + by + count) % count)]);
 }
 
+void ViewSession::release_all()
+{
+    keys_.clear();
+    held_.reset();
+}
+
 bool ViewSession::key(const std::string& name, bool down)
 {
     if (!down) {
@@ -153,7 +152,7 @@ bool ViewSession::key(const std::string& name, bool down)
     try {
         return press(name);
     } catch (const std::exception& error) {
-        say(error.what());
+        complain(error.what());
         return true;
     }
 }
@@ -235,11 +234,13 @@ bool ViewSession::press(const std::string& name)
     } else if (name == "r" || name == "f5")
         reload();
     else if (name == "f12") {
-        const std::string file = free_picture_name();
-        write_picture_at_rest(file);
-        say("wrote " + file);
+        save_picture();
+    } else if (name == "shift+f12") {
+        record_or_stop();
     } else if (name == "escape") {
-        if (state_.help)
+        if (!message_.text.empty() && message_.until == Clock::time_point::max())
+            message_.text.clear();
+        else if (state_.help)
             toggle("help");
         else if (state_.selected >= 0)
             choose_switch("selected", "-1");

@@ -59,9 +59,10 @@ void add_looks(std::vector<Switch>& all)
     all.push_back(word_switch<Look>(group, "look", "what is shown",
         {{"color", Look::color}, {"items", Look::items}, {"instances", Look::instances},
             {"materials", Look::materials}, {"depth", Look::depth}, {"normals", Look::normals},
-            {"uv", Look::uv}, {"light", Look::light}, {"difference", Look::difference}},
+            {"uv", Look::uv}, {"light", Look::light}, {"light-view", Look::light_view},
+            {"difference", Look::difference}, {"wrong", Look::wrong}},
         [](ViewState& s) -> Look& { return s.look; }));
-    all.push_back(number(group, "light", "which light, for look light", 0, 63, true,
+    all.push_back(number(group, "light", "which light, for looks light and light-view", 0, 63, true,
         [](ViewState& s) -> int& { return s.light; }));
     all.push_back(number(group, "exposure", "light times 2 to this", -20, 20, false,
         [](ViewState& s) -> double& { return s.tone.exposure_ev; }));
@@ -105,7 +106,8 @@ void add_frame(std::vector<Switch>& all)
         [](ViewState& s) -> int& { return s.settings.samples; }));
     all.push_back(number(group, "aa", "N x N rays at edges", 1, 16, true,
         [](ViewState& s) -> int& { return s.settings.adaptive; }));
-    all.push_back(number(group, "interleave", "shoot every N-th ray", 1, 16, true,
+    all.push_back(word_switch<int>(group, "interleave", "shoot the ray of one pixel in N",
+        {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
         [](ViewState& s) -> int& { return s.settings.interleave; }));
     all.push_back(on_off(group, "interpolate", "fill pixels whose triangle is not found",
         [](ViewState& s) -> bool& { return s.settings.interpolate; }));
@@ -141,6 +143,10 @@ void add_light(std::vector<Switch>& all)
         true, [](ViewState& s) -> int& { return s.settings.sky.directions; }));
     all.push_back(on_off(group, "studio", "light and background of the studio",
         [](ViewState& s) -> bool& { return s.studio; }));
+    all.push_back(word_switch<EnvironmentChoice>(group, "environment", "light from all around",
+        {{"given", EnvironmentChoice::given}, {"none", EnvironmentChoice::none},
+            {"studio", EnvironmentChoice::studio}},
+        [](ViewState& s) -> EnvironmentChoice& { return s.environment; }));
 }
 
 void add_opengl(std::vector<Switch>& all)

@@ -1,7 +1,7 @@
 // switches.h - every switch of the viewer by its name: for panels, scripts and whoever else drives a session.
 #pragma once
 
-#include "view/session/view_state.h"
+#include "view/frames/view_state.h"
 
 #include <functional>
 #include <span>

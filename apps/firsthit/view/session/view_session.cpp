@@ -1,11 +1,8 @@
-// view_session.cpp - one who looks at a scene: time, frames and files.
+// view_session.cpp - one who looks at a scene: switches, time and frames.
 #include "view/session/view_session.h"
 
 #include "common/usage.h"
-#include "options/picture_options.h"
-
-#include <firsthit/error.h>
-#include <firsthit/picture.h>
+#include "options/engine_options.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +16,6 @@ namespace {
 /// After the last input that moves the camera, the exact picture waits this long, so that it is not begun
 /// and given up between two events.
 constexpr std::chrono::milliseconds kStillMoving{120};
-/// How often files are looked at.
-constexpr std::chrono::milliseconds kWatch{700};
 /// A turn of the turntable.
 constexpr double kTurnSeconds = 12;
 /// How far flying goes in a second, in distances to the point in the middle.
@@ -30,8 +25,11 @@ constexpr double kLongestStep = 0.25;
 
 } // namespace
 
-ViewSession::ViewSession(const RenderOptions& options, std::function<void()> has_news)
+ViewSession::ViewSession(
+    const RenderOptions& options, std::function<void()> has_news, RecentFiles recent)
     : options_(options),
+      recent_(std::move(recent)),
+      given_environment_(options.environment),
       has_news_(std::move(has_news)),
       frames_(options.threads, has_news_)
 {
@@ -44,13 +42,14 @@ void ViewSession::take_scene(std::shared_ptr<ViewScene> scene, bool keep)
 {
     const ViewState before = state_;
     scene_ = std::move(scene);
+    recent_.add(scene_->options().scene.name);
+    environment_ = state_.environment;
     state_.settings.sky = scene_->settings().sky;
     state_.studio = scene_->in_studio();
     state_.selected = -1;
     if (!keep) {
         const Settings settings = scene_->settings();
-        if (number_ ==
-            1) { // the first scene: what the options say; afterwards what was chosen stays
+        if (number_ == 1) { // what the options say; afterwards what was chosen stays
             state_.settings = settings;
             state_.tone = scene_->options().environment.tone;
             state_.dither = scene_->options().picture.dither;
@@ -85,6 +84,7 @@ CameraMover& ViewSession::mover()
         mover_.emplace();
         mover_->take(current ? frame->camera : scene_->start_camera(),
             measured ? frame->box : scene_->box(), scene_->up_axis(), height_);
+        if (measured) mover_->focus(frame->middle_t, frame->box);
     }
     return *mover_;
 }
@@ -109,7 +109,8 @@ void ViewSession::choose_switch(const std::string& name, const std::string& valu
     if (next.camera > 0 && std::size_t(next.camera) >= cameras)
         throw UsageError(
             fmt::format("camera: '{}' is not accepted: the scene has {}", value, cameras));
-    const bool clip = next.clip != state_.clip, lit = next.studio != state_.studio;
+    const bool clip = next.clip != state_.clip;
+    const bool lit = next.studio != state_.studio || next.environment != state_.environment;
     if (next.camera != state_.camera || name == "camera") mover_.reset();
     // Two ways of shooting more or less than a ray a pixel exclude one another.
     Settings& settings = next.settings;
@@ -121,11 +122,7 @@ void ViewSession::choose_switch(const std::string& name, const std::string& valu
     state_ = next;
     if (clip) state_.time_s = scene_->begin_s(state_.clip);
     clamp_time();
-    if (lit) {
-        RenderOptions options = options_;
-        options.sky.studio = state_.studio;
-        load(options, true);
-    }
+    if (lit) relight();
     changed(name == "time" || name == "turntable");
 }
 
@@ -201,6 +198,7 @@ FrameRequest ViewSession::request(Clock::time_point now) const
 
 void ViewSession::update(Clock::time_point now)
 {
+    history_.note_turn(now);
     if (last_update_ == Clock::time_point{}) last_update_ = now;
     const double seconds = std::chrono::duration<double>(now - last_update_).count();
     last_update_ = now;
@@ -208,6 +206,7 @@ void ViewSession::update(Clock::time_point now)
     take_loaded();
     watch_files(now);
     frames_.want(request(now));
+    record(now);
     const bool inside =
         pointer_.x >= 0 && pointer_.y >= 0 && pointer_.x < width_ && pointer_.y < height_;
     if (state_.hover && inside && is_at_rest(now) && !picks_) {
@@ -229,82 +228,6 @@ void ViewSession::shown(const ShownFrame& frame, Clock::time_point when)
     history_.note_shown(frame, when);
 }
 
-void ViewSession::load(RenderOptions options, bool keep)
-{
-    options_ = options;
-    if (loading_.valid()) loading_.wait(); // one file at a time
-    loading_ = std::async(std::launch::async, [options, keep, news = has_news_] {
-        Loaded loaded;
-        loaded.keep = keep;
-        try {
-            loaded.scene = std::make_shared<ViewScene>(options);
-        } catch (const std::bad_alloc&) {
-            loaded.error = "out of memory";
-        } catch (const std::exception& error) {
-            loaded.error = error.what();
-        }
-        news();
-        return loaded;
-    });
-}
-
-void ViewSession::take_loaded()
-{
-    if (!loading_.valid() ||
-        loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return;
-    const Loaded loaded = loading_.get();
-    if (!loaded.scene) {
-        options_ = scene_->options();
-        state_.studio = scene_->in_studio();
-        say(loaded.error);
-        changed(false);
-        return;
-    }
-    message_.clear();
-    take_scene(loaded.scene, loaded.keep);
-}
-
-void ViewSession::open(const std::string& file)
-{
-    RenderOptions options = options_;
-    options.scene.name = file;
-    options.scene.format.clear();
-    options.scene.load.scene.clear();
-    options.scene.pose = {};
-    options.frames = {};
-    CameraOptions camera; // of the old scene; what it sees as up may be another axis
-    camera.size = options.camera.size;
-    options.camera = camera;
-    load(options, false);
-}
-
-void ViewSession::reload()
-{
-    load(options_, true);
-}
-
-void ViewSession::watch_files(Clock::time_point now)
-{
-    if (now - last_watch_ < kWatch || loading_.valid()) return;
-    last_watch_ = now;
-    if (scene_->has_changed()) reload();
-}
-
-void ViewSession::say(const std::string& message)
-{
-    message_ = message;
-}
-
-std::string ViewSession::message() const
-{
-    const std::string error = frames_.error();
-    if (!error.empty()) return error;
-    const std::shared_ptr<const ShownFrame> frame = latest();
-    if (message_.empty() && frame) return frame->note;
-    return message_;
-}
-
 std::string ViewSession::camera_options() const
 {
     if (mover_) return mover_->as_options();
@@ -324,36 +247,26 @@ std::string ViewSession::corner(Clock::time_point now) const
 {
     const std::shared_ptr<const ShownFrame> frame = latest();
     if (!frame) return "the first frame is made";
-    const bool current = frame->request.number == number_;
-    const double age = std::chrono::duration<double, std::milli>(now - frame->state_time).count();
-    std::string what = !frame->missing.empty() ? "without " + frame->missing
-                       : frame->request.moving ? "whole"
-                       : frame->note.empty()   ? "exact"
-                                               : "colour";
-    // What OpenGL draws is only as exact as its items and maps.
     const Settings& settings = frame->request.state.settings;
     const bool maps = settings.shadows == Shadows::map || (settings.shadows == Shadows::automatic &&
                                                               frame->engine.engine != Engine::cpu);
-    if (what == "exact" && (frame->engine.engine != Engine::cpu || maps || settings.interleave > 1))
-        what = "as render makes it";
-    std::string aged =
-        current && !frame->request.moving ? "at rest" : fmt::format("{:.0f} ms old", age);
-    return fmt::format(
-        "{} | {} | {}x{} of {}x{}", what, aged, frame->width, frame->height, width_, height_);
-}
-
-void ViewSession::write_picture_at_rest(const std::string& path) const
-{
-    const std::shared_ptr<const ShownFrame> frame = latest();
-    if (!frame || frame->request.moving || frame->request.number != number_ ||
-        frame->film.color.empty())
-        throw UsageError(fmt::format(
-            "{}: there is no picture to write: it is not at rest, or has no colours", path));
-    const RenderOptions& options = scene_->options();
-    PictureChoices choices = options.picture;
-    choices.format.clear();
-    choices.dither = state_.dither;
-    write_picture(frame->film, path, picture_options(choices, state_.tone, path));
+    std::string what;
+    if (!frame->missing.empty())
+        what = "without " + frame->missing;
+    else if (frame->request.moving)
+        what = "nothing left out";
+    else if (frame->engine.engine != Engine::cpu || maps || settings.interleave > 1)
+        what = fmt::format("final, {} engine", engine_name(frame->engine.engine));
+    else
+        what = "exact";
+    const bool current = frame->request.number == number_ && !frame->request.moving;
+    const double age = std::chrono::duration<double, std::milli>(now - frame->state_time).count();
+    std::string text = fmt::format("{} | {} | {}x{}", what,
+        current ? "at rest" : fmt::format("{:.0f} ms old", age), frame->width, frame->height);
+    if (frame->width != width_ || frame->height != height_)
+        text += fmt::format(" of {}x{}", width_, height_);
+    if (recorder_) text += fmt::format(" | film {:.1f} s", recorder_->length_s());
+    return text;
 }
 
 } // namespace firsthit::cli::view

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "view/session/camera_mover.h"
-#include "view/session/frame_history.h"
-#include "view/session/frame_thread.h"
+#include "view/frames/film_recorder.h"
+#include "view/frames/frame_history.h"
+#include "view/frames/frame_thread.h"
+#include "view/session/recent_files.h"
 #include "view/session/switches.h"
 
 #include <glm/vec2.hpp>
@@ -28,7 +30,8 @@ class ViewSession {
     /// Reads the scene.
     /// has_news  called on another thread when there is something new to show
     /// throws    as ViewScene
-    ViewSession(const RenderOptions& options, std::function<void()> has_news);
+    ViewSession(const RenderOptions& options, std::function<void()> has_news,
+        RecentFiles recent = RecentFiles());
     ~ViewSession();
 
     // Input.
@@ -39,13 +42,17 @@ class ViewSession {
     /// name  as docs/view.md lists them: "a", "1", "space", "shift+left", "f12"
     /// returns whether the key means something here
     bool key(const std::string& name, bool down);
+    /// All keys and buttons are let go, as when the window loses the keyboard.
+    void release_all();
     /// throws  UsageError: no such switch or value
     void choose_switch(const std::string& name, const std::string& value);
     /// Shows another file with the same options, where it can be read.
     void open(const std::string& file);
     void reload();
-    /// A file failed to be written, a text was copied, and so on.
+    /// Says for some seconds what was done.
     void say(const std::string& message);
+    /// Says what went wrong, until a scene is read or the key escape.
+    void complain(const std::string& message);
 
     /// Lets time pass, and asks for the frame of now. To be called often while is_moving().
     void update(Clock::time_point now = Clock::now());
@@ -67,6 +74,8 @@ class ViewSession {
     /// The camera as options of `render`.
     std::string camera_options() const;
     bool wants_end() const { return wants_end_; }
+    const std::vector<std::string>& recent_files() const { return recent_.names(); }
+    bool is_recording() const { return recorder_ != nullptr; }
     /// A text that the window puts on the clipboard, once.
     std::optional<std::string> take_copied();
 
@@ -76,6 +85,12 @@ class ViewSession {
     bool is_at_rest(Clock::time_point now) const;
     /// Whether the picture cannot be made; message() says why.
     bool has_failed() const { return frames_.error_number() == number_; }
+
+    /// Writes firsthit-001.png, or the next free number: the picture of `render` where colours are at rest, else what
+    /// is shown.
+    void save_picture();
+    /// Begins or ends firsthit-001.mp4, or the next free number: what is shown, without panels.
+    void record_or_stop();
 
     /// Writes the picture at rest as `render` writes it, by the path's ending.
     /// throws  as write_picture; UsageError: the picture is not at rest or has no colours
@@ -88,7 +103,9 @@ class ViewSession {
     void take_scene(std::shared_ptr<ViewScene> scene, bool keep);
     void take_loaded();
     void watch_files(Clock::time_point now);
-    void load(RenderOptions options, bool keep);
+    void load(const RenderOptions& options, bool keep);
+    void relight();
+    void record(Clock::time_point now);
     void changed(bool camera, bool input = true);
     CameraMover& mover(); // the camera, as the hand's own from now on
     void pass_time(double seconds);
@@ -115,14 +132,27 @@ class ViewSession {
     bool shift_ = false, dragged_ = false, wants_end_ = false;
     bool picks_ = false;         // the pick is of the pointer
     std::set<std::string> keys_; // that are held
-    std::string message_;
+    struct Message {
+        std::string text;
+        Clock::time_point until{};
+    };
+    Message message_;
     std::optional<std::string> copied_;
+    RecentFiles recent_;
+    std::unique_ptr<FilmRecorder> recorder_;
+    EnvironmentOptions given_environment_;
+    EnvironmentChoice environment_ = EnvironmentChoice::given; // of scene_
     struct Loaded {
         std::shared_ptr<ViewScene> scene;
         std::string error;
         bool keep = false;
     };
     std::future<Loaded> loading_;
+    struct Load {
+        RenderOptions options;
+        bool keep = false;
+    };
+    std::optional<Load> next_load_; // when the file in work is read
     FrameHistory history_;
     std::function<void()> has_news_;
     FrameThread frames_; // last: it calls has_news

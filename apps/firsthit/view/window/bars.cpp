@@ -1,13 +1,15 @@
-// bars.cpp - the times of stages as stacked bars over time, and the page of keys.
+// bars.cpp - the times of stages as stacked bars over time.
 #include "view/window/panels.h"
+
+#include "view/session/process_memory.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <deque>
+#include <vector>
 
 namespace firsthit::cli::view {
 namespace {
@@ -32,14 +34,16 @@ constexpr std::array<Stage, 10> kStages = {{
 }};
 constexpr ImU32 kOther = IM_COL32(110, 110, 110, 255);
 constexpr std::size_t kBars = 100;
-const ImVec2 kBarsSize{300, 110};
+const ImVec2 kBarsSize{345, 110};
+constexpr float kColumn = 118; // of the legend
 
-double memory_mb()
+/// What the bars' full height stands for: all of them, but for few that are much longer.
+double full_height_ms(const std::deque<HistoryEntry>& frames, std::size_t count)
 {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0, resident = 0;
-    file >> pages >> resident;
-    return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
+    std::vector<double> ms;
+    for (std::size_t k = frames.size() - count; k < frames.size(); ++k)
+        ms.push_back(frames[k].made_ms);
+    return std::max(1.0, std::min(quantile(ms, 1), 3 * quantile(ms, 0.5)));
 }
 
 /// One frame from below: its stages, and what is in none of them.
@@ -49,7 +53,7 @@ void draw_bar(
     float y = foot.y;
     double told = 0;
     const auto add = [&](double ms, ImU32 color) {
-        const float next = y - float(ms * px_per_ms);
+        const float next = std::max(foot.y - kBarsSize.y, y - float(ms * px_per_ms));
         if (y - next > 0.3f) list.AddRectFilled({foot.x, next}, {foot.x + width, y}, color);
         y = next;
     };
@@ -66,7 +70,7 @@ void draw_legend(const Stats& stats, double made_ms)
     double told = 0;
     int column = 0;
     const auto entry = [&](const char* name, double ms, ImU32 color) {
-        if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * 102);
+        if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * kColumn);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(fmt::format("{:<7}{:6.1f}", name, ms).c_str());
         ImGui::PopStyleColor();
@@ -95,12 +99,10 @@ void draw_bars(const ViewSession& session, Clock::time_point now)
         return;
     }
     const std::size_t count = std::min(kBars, frames.size());
-    double most = 1;
-    for (std::size_t k = frames.size() - count; k < frames.size(); ++k)
-        most = std::max(most, frames[k].made_ms);
+    const double most = full_height_ms(frames, count);
     const HistoryEntry& last = frames.back();
     ImGui::TextUnformatted(
-        fmt::format("last frame {:.1f} ms, highest bar {:.1f} ms", last.made_ms, most).c_str());
+        fmt::format("last frame {:.1f} ms, full height {:.1f} ms", last.made_ms, most).c_str());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(kBarsSize);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -124,51 +126,6 @@ void draw_bars(const ViewSession& session, Clock::time_point now)
     ImGui::TextUnformatted(fmt::format("{} | {} triangles, {} in view | {:.0f} MB", engine,
         last.stats.triangles, last.stats.in_view, memory_mb())
                                .c_str());
-    ImGui::End();
-}
-
-void draw_help()
-{
-    static constexpr std::array<std::array<const char*, 2>, 25> kKeys = {{
-        {"left drag", "turn round the scene"},
-        {"middle drag, shift + left drag", "move sideways"},
-        {"right drag", "look around"},
-        {"wheel, + and -", "nearer and farther, towards the pointer"},
-        {"W A S D, E Q", "fly: ahead, left, back, right; up, down"},
-        {"arrow keys", "turn by steps"},
-        {"1  3  7  0", "front, right, top, corner; with shift back, left, bottom"},
-        {"F, shift + F", "frame what is selected, or all"},
-        {"Home", "the first camera again"},
-        {"Page up and down", "cameras of the file"},
-        {"T", "turntable"},
-        {"C", "copy the camera as options of firsthit render"},
-        {"", ""},
-        {"space", "play and pause"},
-        {". and ,", "step ahead and back"},
-        {"[ and ]   L", "half and twice as fast; loop"},
-        {"", ""},
-        {"click", "select the instance under the pointer, or none"},
-        {"V, shift + V", "ways of looking: colour, items, depth, ..."},
-        {"G   H", "next engine; next kind of shadows"},
-        {"Tab   B   I", "switches; times; what is under the pointer"},
-        {"R, or drop a file", "read the file again; read another"},
-        {"F12", "save the picture as firsthit-001.png"},
-        {"?   F1", "this page"},
-        {"Escape", "close this page, unselect, end"},
-    }};
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowBgAlpha(0.93f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
-                                        ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav;
-    if (ImGui::Begin("Keys (?)", nullptr, kFlags)) {
-        for (const auto& [keys, text] : kKeys) {
-            ImGui::TextUnformatted(keys);
-            ImGui::SameLine(250);
-            ImGui::TextUnformatted(text);
-        }
-    }
     ImGui::End();
 }
 

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace firsthit::cli::view {
 namespace {
@@ -106,16 +107,40 @@ void switch_row(ViewSession& session, const Switch& one)
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.text.c_str());
 }
 
+/// Files to open, and what can be saved.
+void draw_files(ViewSession& session)
+{
+    if (!ImGui::CollapsingHeader("file", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    static std::array<char, 1024> name{};
+    if (ImGui::InputTextWithHint("open", "a file; or drop it here", name.data(), name.size(),
+            ImGuiInputTextFlags_EnterReturnsTrue) &&
+        name[0] != 0)
+        session.open(name.data());
+    const std::vector<std::string>& recent = session.recent_files();
+    if (!recent.empty() && ImGui::BeginCombo("recent", "files of before")) {
+        for (const std::string& file : std::vector<std::string>(recent))
+            if (ImGui::Selectable(file.c_str())) session.open(file);
+        ImGui::EndCombo();
+    }
+    if (ImGui::Button("picture (F12)")) session.key("f12", true);
+    ImGui::SameLine();
+    if (ImGui::Button(session.is_recording() ? "end film###film" : "film###film"))
+        session.key("shift+f12", true);
+    ImGui::SameLine();
+    if (ImGui::Button("copy camera")) session.key("c", true);
+}
+
 void draw_switches(ViewSession& session)
 {
     const float height = ImGui::GetIO().DisplaySize.y;
     ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(
-        {kPanelWidth, std::min(620.0f, height - 2 * kMargin)}, ImGuiCond_FirstUseEver);
+        {kPanelWidth, std::min(860.0f, height - 2 * kMargin)}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Switches (Tab)", nullptr,
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         ImGui::TextDisabled("? lists the keys");
         ImGui::PushItemWidth(-120);
+        draw_files(session);
         std::string group;
         bool open = false;
         for (const Switch& one : all_switches()) {

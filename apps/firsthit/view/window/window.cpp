@@ -1,97 +1,34 @@
-// window.cpp - the window of `firsthit view`: GLFW and ImGui in front of a session.
+// window.cpp - the loop of the window: events, frames, the screen.
 #include "view/window/window.h"
 
-#include "common/interrupt.h"
 #include "common/output.h"
 #include "common/usage.h"
-#include "view/window/panels.h"
-#include "view/window/picture_quad.h"
+#include "view/frames/write_pixels.h"
+#include "view/window/surface.h"
 #include "view/window/window_input.h"
 
-#include <firsthit/error.h>
-
-#include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 namespace firsthit::cli::view {
 namespace {
 
 /// How long the window sleeps without an event: while something moves, and at rest.
 constexpr double kMovingWait_s = 0.002, kRestWait_s = 0.25;
+/// How long panels wait for a picture.
+constexpr std::chrono::milliseconds kPanelsWait{30};
 /// Panels need some frames to settle after an event.
 constexpr int kRedraws = 3;
-
-/// GLFW from its start to its end.
-class Glfw {
-  public:
-    Glfw()
-    {
-        glfwSetErrorCallback(nullptr);
-        if (glfwInit()) return;
-        const char* why = nullptr;
-        glfwGetError(&why);
-        throw DeviceError(
-            fmt::format("no window can be shown ({}): there is no display; firsthit render "
-                        "makes pictures without one",
-                why ? why : "unknown"));
-    }
-    ~Glfw() { glfwTerminate(); }
-    Glfw(const Glfw&) = delete;
-    Glfw& operator=(const Glfw&) = delete;
-};
-
-GLFWwindow* make_window(int width, int height, const std::string& title)
-{
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (window) return window;
-    const char* why = nullptr;
-    glfwGetError(&why);
-    throw DeviceError(
-        fmt::format("no window with OpenGL 3.3 can be made: {}", why ? why : "unknown"));
-}
-
-/// ImGui from its start to its end, with a current context.
-class Panels {
-  public:
-    explicit Panels(float scale)
-    {
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr; // nothing is written
-        ImGui::StyleColorsDark();
-        ImGui::GetStyle().WindowRounding = 4;
-        ImGui::GetStyle().FrameRounding = 3;
-        ImGui::GetIO().FontGlobalScale = scale;
-        name_imgui_keys();
-        ImGui_ImplOpenGL3_Init("#version 330 core");
-    }
-    ~Panels()
-    {
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui::DestroyContext();
-    }
-    Panels(const Panels&) = delete;
-    Panels& operator=(const Panels&) = delete;
-};
 
 class Window {
   public:
     Window(const ViewOptions& options, ScriptPlayer* script);
-    ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
     void run();
@@ -101,25 +38,28 @@ class Window {
     {
         return *static_cast<Window*>(glfwGetWindowUserPointer(window));
     }
+    GLFWwindow* handle() const { return surface_->handle(); }
+    void make_surface(int width, int height);
     void listen();
     void fit();
-    void draw(Clock::time_point now);
+    void renew();
+    void look_for_news();
+    bool is_due(Clock::time_point now) const;
     void show(Clock::time_point now);
     void screenshot(const std::string& path);
-    bool look_for_frame();
 
     const ViewOptions& options_;
     ScriptPlayer* script_;
+    std::atomic<bool> has_news_ = false; // set by other threads
     Glfw glfw_;
-    GLFWwindow* window_ = nullptr;
-    std::optional<Panels> panels_;
-    std::optional<PictureQuad> quad_;
+    std::unique_ptr<Surface> surface_;
     std::optional<ViewSession> session_;
     std::optional<WindowInput> input_;
     std::shared_ptr<const ShownFrame> frame_; // in the texture
+    std::string message_;                     // that was drawn
     bool frame_is_new_ = false;
     int redraws_ = kRedraws;
-    Clock::time_point drawn_{}, swapped_{};
+    Clock::time_point swapped_{};
 };
 
 Window::Window(const ViewOptions& options, ScriptPlayer* script)
@@ -127,44 +67,40 @@ Window::Window(const ViewOptions& options, ScriptPlayer* script)
       script_(script)
 {
     const Size size = options.picture.camera.pixels();
-    window_ =
-        make_window(size.width, size.height, "firsthit - " + options.picture.scene.shown_name());
-    glfwMakeContextCurrent(window_);
-    glfwSwapInterval(options.fps_limit > 0 ? 0 : 1);
-    float x = 1, y = 1;
-    glfwGetWindowContentScale(window_, &x, &y);
-    int units = 1, pixels = 1, unused = 0;
-    glfwGetWindowSize(window_, &units, &unused);
-    glfwGetFramebufferSize(window_, &pixels, &unused);
-    // Where a unit is a pixel though the screen is dense, text grows; else the system scales it.
-    panels_.emplace(pixels == units ? std::max(1.0f, x) : 1.0f);
-    quad_.emplace();
-    session_.emplace(options.picture, [] { glfwPostEmptyEvent(); });
+    make_surface(size.width, size.height);
+    session_.emplace(
+        options.picture,
+        [this] {
+            has_news_ = true;
+            glfwPostEmptyEvent();
+        },
+        RecentFiles(script ? "" : RecentFiles::usual_path()));
     session_->choose_switch("rate", fmt::format("{}", options.rate));
     input_.emplace(*session_);
-    input_->set_window([this](int w, int h) { glfwSetWindowSize(window_, w, h); },
-        [this](const std::string& path) { screenshot(path); });
+    input_->set_window({.resize = [this](int w, int h) { glfwSetWindowSize(handle(), w, h); },
+        .screenshot = [this](const std::string& path) { screenshot(path); },
+        .renew = [this] { renew(); }});
     listen();
     fit();
 }
 
-Window::~Window()
+void Window::make_surface(int width, int height)
 {
-    input_.reset();
-    session_.reset();
-    quad_.reset();
-    panels_.reset();
-    glfwDestroyWindow(window_);
+    surface_ = std::make_unique<Surface>(SurfaceOptions{.width = width,
+        .height = height,
+        .title = "firsthit - " + options_.picture.scene.shown_name(),
+        .waits_for_screen = options_.fps_limit == 0});
 }
 
 void Window::listen()
 {
-    glfwSetWindowUserPointer(window_, this);
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    GLFWwindow* window = handle();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).redraws_ = kRedraws;
         of(w).input_->pointer_moves(x, y);
     });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
         of(w).redraws_ = kRedraws;
         if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
         const Button which = button == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
@@ -172,117 +108,121 @@ void Window::listen()
                                                                  : Button::middle;
         of(w).input_->button(which, action == GLFW_PRESS, (modifiers & GLFW_MOD_SHIFT) != 0);
     });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double steps) {
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double steps) {
         of(w).redraws_ = kRedraws;
         of(w).input_->scroll(steps);
     });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
         of(w).redraws_ = kRedraws;
         const std::string name = key_name(key, modifiers);
         if (!name.empty()) of(w).input_->key(name, action != GLFW_RELEASE);
     });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { of(w).input_->letter(code); });
-    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) {
+        of(w).redraws_ = kRedraws;
+        of(w).input_->letter(code);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         of(w).redraws_ = kRedraws;
         if (count > 0) of(w).session_->open(paths[0]);
     });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).fit(); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).redraws_ = kRedraws; });
+    // Keys that are held when the window loses the keyboard are never seen to be let go.
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        if (!focused) of(w).session_->release_all();
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).fit(); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).redraws_ = kRedraws; });
 }
 
 /// Takes the size of the window over, in pixels. A minimised one has none.
 void Window::fit()
 {
-    int width = 0, height = 0, units = 0, unused = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    glfwGetWindowSize(window_, &units, &unused);
-    if (width < 1 || height < 1 || units < 1) return;
-    input_->set_scale(double(width) / units);
-    session_->resize(width, height);
+    const Surface::Extent size = surface_->extent();
+    if (size.is_empty()) return;
+    input_->set_scale(double(size.width_pixels) / size.width);
+    session_->resize(size.width_pixels, size.height_pixels);
     redraws_ = kRedraws;
 }
 
-bool Window::look_for_frame()
+/// Another window in the place of this one, whose context was lost. The session goes on.
+void Window::renew()
 {
-    const std::shared_ptr<const ShownFrame> frame = session_->latest();
-    if (!frame || frame == frame_) return false;
-    quad_->upload(frame->rgba, frame->width, frame->height);
-    frame_ = frame;
-    frame_is_new_ = true;
-    return true;
+    const Surface::Extent size = surface_->extent();
+    int x = 0, y = 0;
+    glfwGetWindowPos(handle(), &x, &y);
+    surface_.reset();
+    make_surface(std::max(1, size.width), std::max(1, size.height));
+    glfwSetWindowPos(handle(), x, y);
+    listen();
+    fit();
+    frame_.reset(); // so that it is uploaded again
+    session_->release_all();
 }
 
-void Window::draw(Clock::time_point now)
+void Window::look_for_news()
 {
-    ImGuiIO& io = ImGui::GetIO();
-    int width = 0, height = 0, pixels_x = 0, pixels_y = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    glfwGetFramebufferSize(window_, &pixels_x, &pixels_y);
-    if (width < 1 || height < 1 || pixels_x < 1 || pixels_y < 1) return; // minimised
-    io.DisplaySize = {float(width), float(height)};
-    io.DisplayFramebufferScale = {float(pixels_x) / float(width), float(pixels_y) / float(height)};
-    const double passed = std::chrono::duration<double>(now - drawn_).count();
-    io.DeltaTime = float(std::clamp(passed, 1e-4, 0.25));
-    drawn_ = now;
-    quad_->draw(pixels_x, pixels_y);
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui::NewFrame();
-    draw_panels(*session_, now);
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (has_news_.exchange(false)) redraws_ = std::max(redraws_, 1);
+    if (session_->message() != message_) redraws_ = std::max(redraws_, 1);
+    const std::shared_ptr<const ShownFrame> frame = session_->latest();
+    if (!frame || frame == frame_) return;
+    surface_->upload(*frame);
+    frame_ = frame;
+    frame_is_new_ = true;
+    redraws_ = std::max(redraws_, 1);
+}
+
+/// Whether the window is to be drawn. While something moves, panels wait for the picture that is in work: drawn at
+/// once, they would hold it up.
+bool Window::is_due(Clock::time_point now) const
+{
+    const auto since = now - swapped_;
+    if (redraws_ == 0) return false;
+    if (options_.fps_limit > 0 && since < std::chrono::duration<double>(1 / options_.fps_limit))
+        return false;
+    return frame_is_new_ || since >= kPanelsWait || !session_->is_moving(now);
 }
 
 void Window::show(Clock::time_point now)
 {
-    if (options_.fps_limit > 0) {
-        const auto least = std::chrono::duration<double>(1 / options_.fps_limit);
-        std::this_thread::sleep_until(
-            swapped_ + std::chrono::duration_cast<Clock::duration>(least));
-    }
-    draw(now);
-    glfwSwapBuffers(window_);
+    surface_->draw(*session_, now);
+    surface_->swap();
+    input_->point();
     swapped_ = Clock::now();
+    message_ = session_->message();
     if (frame_is_new_) session_->shown(*frame_, swapped_);
     frame_is_new_ = false;
-    if (redraws_ > 0) --redraws_;
+    --redraws_;
 }
 
 void Window::screenshot(const std::string& path)
 {
-    look_for_frame();
-    for (int k = 0; k < kRedraws; ++k) draw(Clock::now());
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    const std::size_t row = std::size_t(width) * 4;
-    std::vector<std::uint8_t> below(row * std::size_t(height)), rgba(below.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, below.data());
-    for (std::size_t y = 0; y < std::size_t(height); ++y) // OpenGL's first row is the lowest
-        std::copy_n(&below[(std::size_t(height) - 1 - y) * row], row, &rgba[y * row]);
-    write_pixels(rgba, width, height, path);
+    look_for_news();
+    for (int k = 0; k < kRedraws; ++k) surface_->draw(*session_, Clock::now());
+    const Surface::Pixels pixels = surface_->drawn();
+    write_pixels(pixels.rgba, pixels.width, pixels.height, path);
 }
 
 void Window::run()
 {
-    const bool measured_at_end = options_.measure;
-    while (!glfwWindowShouldClose(window_) && !session_->wants_end()) {
-        Clock::time_point now = Clock::now();
-        const bool busy = script_ || session_->is_moving(now) || redraws_ > 0;
+    while (!glfwWindowShouldClose(handle()) && !session_->wants_end()) {
+        const bool busy = script_ || session_->is_moving(Clock::now()) || redraws_ > 0;
         glfwWaitEventsTimeout(busy ? kMovingWait_s : kRestWait_s);
-        now = Clock::now();
+        const Clock::time_point now = Clock::now();
         session_->update(now);
         if (const auto copied = session_->take_copied())
-            glfwSetClipboardString(window_, copied->c_str());
-        const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-        const bool fresh = look_for_frame();
-        const bool old = now - swapped_ > std::chrono::milliseconds(200);
-        if (!iconified && (fresh || redraws_ > 0 || old)) show(now);
+            glfwSetClipboardString(handle(), copied->c_str());
+        if (surface_->is_lost()) renew();
+        look_for_news();
+        const bool iconified = glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) != 0;
+        const bool shows = !iconified && is_due(now);
+        if (shows) show(now);
         if (!script_) continue;
         redraws_ = std::max(redraws_, 1); // panels answer a script's hand
+        if (!shows && !iconified && now - swapped_ < kPanelsWait)
+            continue; // once a picture, as a hand does
         if (!script_->step(*session_, *input_, Clock::now())) break;
     }
     if (!options_.screenshot.empty()) screenshot(options_.screenshot);
-    if (measured_at_end) print(measured(*session_));
+    if (options_.measure) print(measured(*session_));
 }
 
 } // namespace

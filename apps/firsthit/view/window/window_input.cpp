@@ -6,19 +6,23 @@
 #include <imgui.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace firsthit::cli::view {
 namespace {
 
-/// Keys with names; letters and digits are their own.
-constexpr auto kKeys = std::to_array<std::pair<int, const char*>>({{GLFW_KEY_SPACE, "space"},
-    {GLFW_KEY_PERIOD, "."}, {GLFW_KEY_COMMA, ","}, {GLFW_KEY_LEFT_BRACKET, "["},
-    {GLFW_KEY_RIGHT_BRACKET, "]"}, {GLFW_KEY_HOME, "home"}, {GLFW_KEY_PAGE_UP, "pageup"},
-    {GLFW_KEY_PAGE_DOWN, "pagedown"}, {GLFW_KEY_LEFT, "left"}, {GLFW_KEY_RIGHT, "right"},
-    {GLFW_KEY_UP, "up"}, {GLFW_KEY_DOWN, "down"}, {GLFW_KEY_EQUAL, "="}, {GLFW_KEY_MINUS, "-"},
-    {GLFW_KEY_KP_ADD, "+"}, {GLFW_KEY_KP_SUBTRACT, "-"}, {GLFW_KEY_TAB, "tab"}, {GLFW_KEY_F1, "f1"},
-    {GLFW_KEY_F5, "f5"}, {GLFW_KEY_F12, "f12"}, {GLFW_KEY_ESCAPE, "escape"}});
+/// Keys with names; letters and digits are their own. Those that type another sign are in kSigns.
+constexpr auto kKeys =
+    std::to_array<std::pair<int, const char*>>({{GLFW_KEY_SPACE, "space"}, {GLFW_KEY_HOME, "home"},
+        {GLFW_KEY_END, "end"}, {GLFW_KEY_PAGE_UP, "pageup"}, {GLFW_KEY_PAGE_DOWN, "pagedown"},
+        {GLFW_KEY_LEFT, "left"}, {GLFW_KEY_RIGHT, "right"}, {GLFW_KEY_UP, "up"},
+        {GLFW_KEY_DOWN, "down"}, {GLFW_KEY_TAB, "tab"}, {GLFW_KEY_F1, "f1"}, {GLFW_KEY_F5, "f5"},
+        {GLFW_KEY_F12, "f12"}, {GLFW_KEY_ESCAPE, "escape"}, {GLFW_KEY_BACKSPACE, "backspace"},
+        {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_ENTER, "enter"}, {GLFW_KEY_KP_ENTER, "enter"}});
+
+/// Keys of the session that are known by the sign that they type.
+constexpr std::string_view kSigns = "?+-=.,[]";
 
 /// Keys that fields of panels need.
 constexpr auto kFieldKeys = std::to_array<std::pair<ImGuiKey, const char*>>(
@@ -45,7 +49,6 @@ std::string key_name(int glfw_key, int modifiers)
 {
     if (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) return {};
     const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
-    if (glfw_key == GLFW_KEY_SLASH && shift) return "?";
     std::string name;
     if (GLFW_KEY_A <= glfw_key && glfw_key <= GLFW_KEY_Z)
         name = std::string(1, char('a' + (glfw_key - GLFW_KEY_A)));
@@ -55,31 +58,24 @@ std::string key_name(int glfw_key, int modifiers)
         name = std::string(1, char('0' + (glfw_key - GLFW_KEY_KP_0)));
     for (const auto& [key, text] : kKeys)
         if (key == glfw_key) name = text;
-    switch (glfw_key) {
-    case GLFW_KEY_BACKSPACE:
-        return "backspace";
-    case GLFW_KEY_DELETE:
-        return "delete";
-    case GLFW_KEY_END:
-        return "end";
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-        return "enter";
-    default:
-        break;
-    }
-    if (name == "=" && shift) return "+";
     return shift && !name.empty() ? "shift+" + name : name;
 }
 
 void WindowInput::pointer_moves(double x, double y)
 {
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {float(x), float(y)};
-    if (io.WantCaptureMouse && !session_holds_)
+    ImGui::GetIO().MousePos = {float(x), float(y)};
+    x_ = x;
+    y_ = y;
+    point();
+}
+
+void WindowInput::point()
+{
+    // Whether the pointer is over a panel is what the panels said when they were drawn last.
+    if (ImGui::GetIO().WantCaptureMouse && !session_holds_)
         session_.pointer_moves(-1, -1);
     else
-        session_.pointer_moves(x * scale_, y * scale_);
+        session_.pointer_moves(x_ * scale_, y_ * scale_);
 }
 
 void WindowInput::button(Button button, bool down, bool shift)
@@ -117,7 +113,14 @@ void WindowInput::key(const std::string& name, bool down)
 
 void WindowInput::letter(unsigned code)
 {
-    if (ImGui::GetIO().WantTextInput) ImGui::GetIO().AddInputCharacter(code);
+    if (ImGui::GetIO().WantTextInput) {
+        ImGui::GetIO().AddInputCharacter(code);
+        return;
+    }
+    if (code > 127 || kSigns.find(char(code)) == std::string_view::npos) return;
+    const std::string name(1, char(code));
+    session_.key(name, true);
+    session_.key(name, false);
 }
 
 } // namespace firsthit::cli::view

@@ -1,10 +1,10 @@
 // frame_request.h - what the thread that makes frames is asked for, and what it gives.
 #pragma once
 
-#include "view/session/pick.h"
-#include "view/session/quality.h"
-#include "view/session/view_scene.h"
-#include "view/session/view_state.h"
+#include "view/frames/pick.h"
+#include "view/frames/quality.h"
+#include "view/frames/view_scene.h"
+#include "view/frames/view_state.h"
 
 #include <firsthit/render.h>
 
@@ -43,10 +43,12 @@ struct ShownFrame {
     std::string note;    // why it is not what was asked for, or nothing
     Stats stats;
     EngineInfo engine;
-    double made_ms = 0;             // from the request's begin to pixels
-    Camera camera;                  // that it was seen with
-    Box box{};                      // of the posed scene; of frames at rest
-    std::optional<Box> selected;    // of the selected instance; of frames at rest
+    double made_ms = 0;          // from the request's begin to pixels
+    Camera camera;               // that it was seen with
+    Box box{};                   // of the posed scene; of frames at rest
+    std::optional<Box> selected; // of the selected instance; of frames at rest
+    double middle_t =
+        0; // how far what is seen in the middle is along the axis; 0: nothing, or not known
     Clock::time_point state_time{}; // when its making began: its age counts from then
 };
 

@@ -1,8 +1,9 @@
 // frame_maker.cpp - makes one picture of a session after the other.
-#include "view/session/frame_maker.h"
+#include "view/frames/frame_maker.h"
 
 #include "common/stopwatch.h"
-#include "view/session/looks.h"
+#include "view/frames/light_view.h"
+#include "view/frames/looks.h"
 
 #include <firsthit/picture.h>
 
@@ -34,13 +35,17 @@ std::optional<Box> box_of_instance(const World& world, std::int32_t number)
 }
 
 /// The settings that are free of all that is approximate.
-Settings exact_settings(const Settings& given)
+Settings exact_settings(const Settings& given, Look look)
 {
     Settings settings = given;
     settings.engine = Engine::cpu;
     if (settings.shadows != Shadows::none) settings.shadows = Shadows::exact;
     settings.interleave = 1;
     settings.aovs.clear();
+    if (look == Look::wrong) {
+        settings.color = settings.alpha = false;
+        settings.aovs = {Aov::item};
+    }
     return settings;
 }
 
@@ -59,7 +64,12 @@ bool same_look(const FrameRequest& a, const FrameRequest& b)
 void FrameMaker::take_pose(const FrameRequest& request)
 {
     const std::shared_ptr<const Scene> scene = request.scene->scene_at(request.pose.time_s);
+    const bool posed = world_.scene == scene && pose_.time_s == request.pose.time_s &&
+                       pose_.clip == request.pose.clip && pose_.camera == request.pose.camera;
+    if (posed) return;
+    world_.scene.reset(); // of no use where posing fails
     renderer_.pose(scene, request.pose, world_);
+    pose_ = request.pose;
 }
 
 Rung FrameMaker::rung_of(const FrameRequest& request, int& number, int& count)
@@ -78,10 +88,10 @@ Rung FrameMaker::rung_of(const FrameRequest& request, int& number, int& count)
 }
 
 void FrameMaker::render_reference(
-    const View& view, const Settings& whole, const FrameControl& control)
+    const FrameRequest& request, const Settings& whole, const FrameControl& control)
 {
     if (!exact_) exact_ = std::make_unique<Renderer>(threads_);
-    exact_->render(world_, view, exact_settings(whole), reference_, control);
+    exact_->render(world_, view_, exact_settings(whole, request.state.look), reference_, control);
 }
 
 void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, ShownFrame& shown)
@@ -97,8 +107,15 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
     const Camera* camera = request.camera ? &*request.camera : nullptr;
     view_ = request.scene->view(world_, scaled(request.width), scaled(request.height), camera);
 
+    shown.camera = view_.camera;
+    const Look look = request.state.look;
+    if (look == Look::light_view && !world_.lights.empty())
+        view_.camera = camera_of_light(
+            world_.lights[std::min(std::size_t(request.state.light), world_.lights.size() - 1)],
+            box_of(world_));
+
     Settings settings = rung.settings;
-    shown.note = ask_for_planes(request.state.look, world_.lights.size(), settings);
+    shown.note = ask_for_planes(look, world_.lights.size(), settings);
     const bool outlined = request.state.selected >= 0 &&
                           std::size_t(request.state.selected) < world_.scene->instances.size();
     if (outlined &&
@@ -108,28 +125,29 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
     renderer_.render(world_, view_, settings, film, control);
     shown.stats = renderer_.stats();
     shown.engine = renderer_.engine();
-    const bool difference = request.state.look == Look::difference;
-    if (difference) render_reference(view_, rung.settings, control);
+    const bool compares = look == Look::difference || look == Look::wrong;
+    if (compares) render_reference(request, rung.settings, control);
     const auto& gradient = request.scene->options().picture.backdrop.gradient;
     if (gradient && settings.alpha) lay_over(film, *gradient, 0, view_.height);
 
-    const Painting painting{.look = request.state.look,
+    const Painting painting{.look = look,
         .light = request.state.light,
         .tone = request.state.tone,
         .dither = request.state.dither,
         .exact = !request.moving,
         .selected = outlined ? request.state.selected : -1,
-        .reference = difference ? &reference_ : nullptr};
+        .reference = compares ? &reference_ : nullptr};
     paint(film, painting, shown.rgba);
     shown.request = request;
     shown.width = view_.width;
     shown.height = view_.height;
     shown.missing = rung.missing;
-    shown.camera = view_.camera;
     if (!request.moving) {
         shown.box = box_of(world_);
         shown.selected = box_of_instance(world_, request.state.selected);
+        shown.middle_t = seen_t(picks_, world_, view_, view_.width / 2, view_.height / 2);
     } else {
+        shown.middle_t = 0;
         shown.film.width = 0; // the film is of another frame
         shown.box = {};
         shown.selected.reset();
@@ -142,8 +160,7 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
 
 Pick FrameMaker::pick(int x, int y)
 {
-    if (!picks_) picks_ = std::make_unique<Renderer>(1);
-    return view::pick(*picks_, world_, view_, last_.state.settings, x, y);
+    return view::pick(picks_, world_, view_, last_.state.settings, x, y);
 }
 
 } // namespace firsthit::cli::view

@@ -1,7 +1,7 @@
 // frame_history.h - the last frames that were shown: how often they came, and how old the input was by then.
 #pragma once
 
-#include "view/session/frame_request.h"
+#include "view/frames/frame_request.h"
 
 #include <cstdint>
 #include <deque>
@@ -26,6 +26,10 @@ class FrameHistory {
     void note_shown(const ShownFrame& frame, Clock::time_point when);
 
     const std::deque<HistoryEntry>& frames() const { return frames_; }
+    /// The program looks at its input.
+    void note_turn(Clock::time_point when);
+    double longest_turn_ms() const { return longest_turn_ms_; }
+
     /// Frames a second over the last second of frames; 0 where nothing moves.
     double rate(Clock::time_point now) const;
     /// The rate that one frame in a hundred falls below.
@@ -49,6 +53,8 @@ class FrameHistory {
     std::vector<double> latencies_ms_;
     std::uint64_t count_ = 0;
     double longest_gap_ms_ = 0;
+    double longest_turn_ms_ = 0; // between two looks at input
+    Clock::time_point last_turn_{};
     bool last_moved_ = false;
 };
 

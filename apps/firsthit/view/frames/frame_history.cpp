@@ -1,5 +1,5 @@
 // frame_history.cpp - the last frames that were shown.
-#include "view/session/frame_history.h"
+#include "view/frames/frame_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,13 @@ double ms_between(Clock::time_point a, Clock::time_point b)
 void FrameHistory::note_input(std::uint64_t number, Clock::time_point when)
 {
     if (waiting_.size() < kMostWaiting) waiting_.push_back({number, when});
+}
+
+void FrameHistory::note_turn(Clock::time_point when)
+{
+    if (last_turn_ != Clock::time_point{})
+        longest_turn_ms_ = std::max(longest_turn_ms_, ms_between(last_turn_, when));
+    last_turn_ = when;
 }
 
 void FrameHistory::note_shown(const ShownFrame& frame, Clock::time_point when)

@@ -1,5 +1,5 @@
 // quality.cpp - what is left out of frames while something moves.
-#include "view/session/quality.h"
+#include "view/frames/quality.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,8 @@
 namespace firsthit::cli::view {
 namespace {
 
+/// As many directions still tell light from dark.
+constexpr int kFewDirections = 5;
 /// A frame of a rung is tried again after this long, when what was known of it may be old.
 constexpr std::chrono::seconds kStale{3};
 /// What a frame may take longer than wanted before a lower rung is taken: machines are noisy.
@@ -29,8 +31,12 @@ std::vector<Rung> rungs_of(const Settings& whole, bool may_interleave)
 {
     std::vector<Rung> rungs(1);
     rungs[0].settings = whole;
+    if (whole.sky.directions > kFewDirections) {
+        add_rung(rungs, "most of the sky");
+        rungs.back().settings.sky.directions = kFewDirections;
+    }
     if (whole.sky.directions > 0) {
-        add_rung(rungs, "sky");
+        rungs.push_back({.settings = rungs.back().settings, .missing = "sky"});
         rungs.back().settings.sky.directions = 0;
     }
     if (whole.samples > 1 || whole.adaptive > 1) {
@@ -47,12 +53,11 @@ std::vector<Rung> rungs_of(const Settings& whole, bool may_interleave)
             before + fmt::format("{}{} of {} rays", before.empty() ? "" : ", ", n - 1, n);
         rungs.push_back(next);
     }
-    for (const double scale : {0.5, 0.25}) {
+    for (const double scale : {0.7, 0.5, 0.35, 0.25}) {
         Rung next = rungs.back();
         next.scale = scale;
         next.settings.interleave = std::max(1, whole.interleave); // size does it alone
-        next.missing = before + fmt::format("{}{} of the size", before.empty() ? "" : ", ",
-                                    scale == 0.5 ? "half" : "three quarters");
+        next.missing = before + (before.empty() ? "pixels" : ", pixels");
         rungs.push_back(next);
     }
     return rungs;

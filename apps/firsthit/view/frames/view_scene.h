@@ -1,9 +1,9 @@
 // view_scene.h - a scene that is looked at: read, lit, and with the camera that it starts with.
 #pragma once
 
-#include "options/render_options.h"
 #include "inputs/scene_source.h"
-#include "view/session/camera_mover.h"
+#include "options/render_options.h"
+#include "view/frames/box.h"
 
 #include <firsthit/world.h>
 
@@ -45,8 +45,9 @@ class ViewScene {
     const Box& box() const { return box_; }
     const glm::dvec3& up_axis() const { return up_axis_; }
 
-    /// Whether a file that it was read from has another time than when it was read.
+    /// Whether a file that it was read from has another time than when it was read, or than at note_times().
     bool has_changed() const;
+    void note_times();
 
   private:
     RenderOptions options_;

@@ -17,7 +17,7 @@ struct Rung {
     std::string missing; // "sky, supersampling"; empty: nothing
 };
 
-/// All ways, from whole frames to the quickest: without the sky, then without supersampling, then interleaved,
+/// All ways, from whole frames to the quickest: with less of the sky, without it, then without supersampling, then interleaved,
 /// then smaller. Steps that leave out nothing are not there.
 /// may_interleave  false where the frame cannot be (an environment as background)
 std::vector<Rung> rungs_of(const Settings& whole, bool may_interleave);

@@ -40,6 +40,10 @@ struct Pick {
 Pick pick(Renderer& renderer, const World& world, const View& view, const Settings& settings, int x,
     int y);
 
+/// How far along the view axis what a pixel sees is, in world units; 0: nothing.
+/// throws  as Renderer::render
+double seen_t(Renderer& renderer, const World& world, const View& view, int x, int y);
+
 /// Lines to read.
 std::vector<std::string> told(const Pick& pick);
 

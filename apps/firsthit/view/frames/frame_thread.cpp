@@ -1,7 +1,7 @@
 // frame_thread.cpp - the thread that makes the pictures of a session.
-#include "view/session/frame_thread.h"
+#include "view/frames/frame_thread.h"
 
-#include "view/session/frame_maker.h"
+#include "view/frames/frame_maker.h"
 
 #include <firsthit/error.h>
 
@@ -26,7 +26,10 @@ struct FrameThread::Maker : FrameMaker {
 FrameThread::FrameThread(int threads, std::function<void()> has_news)
     : has_news_(std::move(has_news)),
       maker_(std::make_unique<Maker>(threads)),
-      thread_([this](const std::stop_token& end) { run(end); })
+      thread_([this](const std::stop_token& end) {
+          run(end);
+          maker_.reset(); // here: the caller's thread may have an OpenGL context of its own
+      })
 {
 }
 
@@ -97,10 +100,14 @@ std::uint64_t FrameThread::cancelled() const
 /// A frame that nobody holds any more. With the lock.
 std::shared_ptr<ShownFrame> FrameThread::unused_frame()
 {
-    for (const std::shared_ptr<ShownFrame>& frame : frames_)
-        if (frame.use_count() == 1) return frame;
-    frames_.push_back(std::make_shared<ShownFrame>());
-    return frames_.back();
+    std::shared_ptr<ShownFrame> unused;
+    for (const std::shared_ptr<ShownFrame>& frame : frames_) {
+        if (frame.use_count() > 1) continue;
+        frame->request = {}; // so that it does not keep a scene
+        unused = frame;
+    }
+    if (!unused) unused = frames_.emplace_back(std::make_shared<ShownFrame>());
+    return unused;
 }
 
 void FrameThread::run(const std::stop_token& end)
@@ -158,7 +165,7 @@ void FrameThread::run(const std::stop_token& end)
         error_number_ = error.empty() ? 0 : request.number;
         if (error.empty()) {
             latest_ = frame;
-            if (!request.moving) pick_.reset();
+            pick_.reset(); // of another picture
         }
         lock.unlock();
         has_news_();

@@ -1,5 +1,5 @@
 // looks.cpp - the pixels of each way of looking.
-#include "view/session/looks.h"
+#include "view/frames/looks.h"
 
 #include <firsthit/film_data.h>
 #include <firsthit/scene.h>
@@ -17,7 +17,7 @@ namespace {
 using Rgb = std::array<float, 3>;
 
 constexpr Rgb kNothing{0.11f, 0.11f, 0.13f}; // of looks other than colour
-constexpr std::array<std::uint8_t, 3> kBorder{255, 150, 20};
+constexpr std::array<std::uint8_t, 3> kBorder{255, 150, 20}, kWrong{255, 25, 25};
 constexpr float kDifferenceGain = 8; // as texts say
 
 /// sRGB codes of linear values, in steps that are finer than a code.
@@ -90,10 +90,11 @@ void paint_depth(const Film& film, std::vector<std::uint8_t>& rgba)
     float near = std::numeric_limits<float>::infinity(), far = 0;
     for (const float z : depth)
         if (std::isfinite(z)) near = std::min(near, z), far = std::max(far, z);
-    const float range = std::max(far - near, 1e-20f);
+    near = std::max(near, 1e-20f);
+    const float range = std::max(std::log(far / near), 1e-6f); // as many steps near as far
     each_pixel(film, rgba, [&](std::size_t k) {
         if (!std::isfinite(depth[k])) return kNothing;
-        const float v = 1 - 0.85f * (depth[k] - near) / range;
+        const float v = 1 - 0.85f * std::log(std::max(depth[k], near) / near) / range;
         return Rgb{v, v, v};
     });
 }
@@ -165,6 +166,25 @@ void paint_difference(const Film& film, const Painting& painting, std::vector<st
     });
 }
 
+/// Items that are right are dark. A wrong one is three pixels wide, or nobody would see it.
+void paint_wrong(const Film& film, const Film& exact, std::vector<std::uint8_t>& rgba)
+{
+    each_pixel(film, rgba, [&](std::size_t k) {
+        const Rgb c = film.item[k] == kNoItem ? kNothing : color_of_id(film.item[k]);
+        return Rgb{0.3f * c[0], 0.3f * c[1], 0.3f * c[2]};
+    });
+    const int w = film.width, h = film.height;
+    for (std::size_t k = 0; k < pixels_of(film); ++k) {
+        if (film.item[k] == exact.item[k]) continue;
+        const int x = int(k % std::size_t(w)), y = int(k / std::size_t(w));
+        for (int j = std::max(0, y - 1); j <= std::min(h - 1, y + 1); ++j)
+            for (int i = std::max(0, x - 1); i <= std::min(w - 1, x + 1); ++i) {
+                const std::size_t at = std::size_t(j) * std::size_t(w) + std::size_t(i);
+                std::copy(kWrong.begin(), kWrong.end(), &rgba[4 * at]);
+            }
+    }
+}
+
 /// Marks the pixels along the border of an instance, two on each side.
 void paint_border(const Film& film, std::uint32_t instance, std::vector<std::uint8_t>& rgba)
 {
@@ -201,11 +221,13 @@ void add_plane(Settings& settings, Aov aov)
 std::string ask_for_planes(Look look, std::size_t lights, Settings& settings)
 {
     settings.color = look == Look::color || look == Look::difference;
-    if (look == Look::light && (lights == 0 || lights > kMaxLitLights)) {
+    if ((look == Look::light || look == Look::light_view) && lights == 0) {
         settings.color = true;
-        return lights == 0 ? "the scene has no lights to look at"
-                           : fmt::format("the scene has {} lights: accepted are up to {}", lights,
-                                 kMaxLitLights);
+        return "the scene has no lights to look at";
+    }
+    if (look == Look::light && lights > kMaxLitLights) {
+        settings.color = true;
+        return fmt::format("the scene has {} lights: accepted are up to {}", lights, kMaxLitLights);
     }
     switch (look) {
     case Look::items:
@@ -218,7 +240,11 @@ std::string ask_for_planes(Look look, std::size_t lights, Settings& settings)
         add_plane(settings, Aov::material);
         break;
     case Look::depth:
+    case Look::light_view:
         add_plane(settings, Aov::depth);
+        break;
+    case Look::wrong:
+        add_plane(settings, Aov::item);
         break;
     case Look::normals:
         add_plane(settings, Aov::normal);
@@ -259,6 +285,7 @@ void paint(const Film& film, const Painting& painting, std::vector<std::uint8_t>
         paint_ids(film, Aov::material, rgba);
         break;
     case Look::depth:
+    case Look::light_view:
         paint_depth(film, rgba);
         break;
     case Look::normals:
@@ -272,6 +299,9 @@ void paint(const Film& film, const Painting& painting, std::vector<std::uint8_t>
         break;
     case Look::difference:
         paint_difference(film, painting, rgba);
+        break;
+    case Look::wrong:
+        paint_wrong(film, *painting.reference, rgba);
         break;
     }
     if (painting.selected >= 0)

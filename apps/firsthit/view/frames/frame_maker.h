@@ -1,7 +1,7 @@
 // frame_maker.h - makes one picture of a session after the other.
 #pragma once
 
-#include "view/session/frame_request.h"
+#include "view/frames/frame_request.h"
 
 #include <stop_token>
 
@@ -24,14 +24,16 @@ class FrameMaker {
     /// Poses the scene where that is not the pose already.
     void take_pose(const FrameRequest& request);
     Rung rung_of(const FrameRequest& request, int& number, int& count);
-    void render_reference(const View& view, const Settings& whole, const FrameControl& control);
+    void render_reference(
+        const FrameRequest& request, const Settings& whole, const FrameControl& control);
 
     Renderer renderer_;
-    std::unique_ptr<Renderer> exact_; // of Look::difference
-    std::unique_ptr<Renderer> picks_; // of single pixels
+    std::unique_ptr<Renderer> exact_; // of Look::difference and wrong
+    Renderer picks_{1};               // of single pixels
     int threads_;
     World world_;
-    View view_; // of the last picture, whole
+    PoseSettings pose_; // of world_
+    View view_;         // of the last picture, whole
     Film moving_, reference_;
     QualityLadder ladder_;
     FrameRequest last_;

@@ -1,7 +1,7 @@
 // looks.h - what each way of looking needs of a frame, and the pixels that it makes of it.
 #pragma once
 
-#include "view/session/view_state.h"
+#include "view/frames/view_state.h"
 
 #include <firsthit/film.h>
 
@@ -24,7 +24,7 @@ struct Painting {
     bool dither = true;
     bool exact = false;              // every pixel is the one of a .png; else within a code of it
     std::int32_t selected = -1;      // an instance whose border is drawn
-    const Film* reference = nullptr; // of Look::difference
+    const Film* reference = nullptr; // the exact film of Look::difference and wrong
 };
 
 /// The pixels of a film, (height, width, 4) sRGB and opaque.

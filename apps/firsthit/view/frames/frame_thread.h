@@ -1,7 +1,7 @@
 // frame_thread.h - the thread that makes the pictures of a session, and drops those that are not wanted any more.
 #pragma once
 
-#include "view/session/frame_request.h"
+#include "view/frames/frame_request.h"
 
 #include <condition_variable>
 #include <functional>

@@ -1,5 +1,5 @@
 // pick.cpp - what is under the pointer.
-#include "view/session/pick.h"
+#include "view/frames/pick.h"
 
 #include <glm/geometric.hpp>
 
@@ -100,6 +100,20 @@ Pick pick(
         found.lights.push_back(at);
     }
     return found;
+}
+
+double seen_t(Renderer& renderer, const World& world, const View& whole, int x, int y)
+{
+    View view = whole;
+    view.region = {x, y, 1, 1};
+    Settings settings;
+    settings.color = false;
+    settings.shadows = Shadows::none;
+    settings.aovs = {Aov::depth};
+    Film film;
+    renderer.render(world, view, settings, film);
+    const double t = double(film[Aov::depth].value[0]);
+    return std::isfinite(t) ? t : 0;
 }
 
 std::vector<std::string> told(const Pick& pick)

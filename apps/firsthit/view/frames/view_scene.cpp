@@ -1,5 +1,5 @@
 // view_scene.cpp - a scene that is looked at.
-#include "view/session/view_scene.h"
+#include "view/frames/view_scene.h"
 
 #include <system_error>
 
@@ -21,14 +21,7 @@ ViewScene::ViewScene(const RenderOptions& given) : options_(given)
         options_.light);
     options_.scene.fps_of_frames = true;
     const bool has_lights = !options_.light.lights.empty();
-    // The change may be called by a thread that reads ahead: it has options of its own.
-    const RenderOptions chosen = options_;
-    source_ = std::make_unique<SceneSource>(options_.scene, [chosen, has_lights](Scene& scene) {
-        apply(chosen.light, scene);
-        apply(chosen.environment, scene);
-        if (wants_studio(chosen.sky, scene, has_lights)) apply_studio(chosen.sky, scene);
-        apply(chosen.picture.backdrop, scene);
-    });
+    source_ = std::make_unique<SceneSource>(options_.scene, scene_changes(options_));
     first_ = source_->first();
     numbered_ = source_->sequence().is_numbered();
     end_s_ = source_->sequence().end_s();
@@ -36,7 +29,8 @@ ViewScene::ViewScene(const RenderOptions& given) : options_(given)
     take_size(*first_, options_.camera);
     start_ = pose_settings(options_.scene.pose, *first_);
     start_.time_s = options_.frames.time_s.value_or(start_.time_s);
-    for (const std::string& file : first_->files) times_[file] = time_of(file);
+    for (const std::string& file : first_->files) times_[file] = {};
+    note_times();
 
     World world;
     pose(source_->scene_at(start_.time_s), start_, world);
@@ -93,6 +87,11 @@ double ViewScene::begin_s(std::int32_t clip) const
 double ViewScene::end_s(std::int32_t clip) const
 {
     return numbered_ ? end_s_ : first_->end_s(clip);
+}
+
+void ViewScene::note_times()
+{
+    for (auto& [file, time] : times_) time = time_of(file);
 }
 
 bool ViewScene::has_changed() const

@@ -1,0 +1,35 @@
+// write_pixels.cpp - writes what is on a screen as a file.
+#include "view/frames/write_pixels.h"
+
+#include <firsthit/error.h>
+#include <firsthit/file.h>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <cstddef>
+
+namespace firsthit::cli::view {
+
+void write_pixels(
+    const std::vector<std::uint8_t>& rgba, int width, int height, const std::string& path)
+{
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(width);
+    image.height = static_cast<png_uint_32>(height);
+    image.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(rgba.size() / 4 * 3);
+    for (std::size_t k = 0; k < rgba.size(); ++k)
+        if (k % 4 != 3) rgb.push_back(rgba[k]);
+    png_alloc_size_t size = 0;
+    png_image_write_to_memory(&image, nullptr, &size, 0, rgb.data(), 0, nullptr);
+    std::string bytes(size, '\0');
+    if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr))
+        throw FileError(fmt::format("{}: {}", path, image.message));
+    bytes.resize(size);
+    write_file(path, bytes);
+}
+
+} // namespace firsthit::cli::view
