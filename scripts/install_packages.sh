@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # install_packages.sh - the Debian 12 packages that a job needs; skips what is there.
-# Usage: install_packages.sh [build] [test] [ci] [scenes]. Without a word: build.
+# Usage: install_packages.sh [build] [test] [ci] [wheel] [scenes]. Without a word: build.
 set -euo pipefail
 
 build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
     libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
     nlohmann-json3-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libjpeg-dev
-    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev python3"
+    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev python3 python3-dev pybind11-dev
+    python3-numpy python3-pytest"
 test="xvfb ffmpeg"
+wheel="python3-pip python3-venv python3-wheel python3-skbuild python3-pybind11 patchelf"
 ci="clang-format-14 clang-tidy-14 doxygen clang-14 libclang-rt-14-dev glslang-tools ffmpeg pkg-config"
 scenes="npm ca-certificates"
 
@@ -17,8 +19,9 @@ for job in "${@:-build}"; do
         build) needed+=" $build" ;;
         test) needed+=" $test" ;;
         ci) needed+=" $ci" ;;
+        wheel) needed+=" $wheel" ;;
         scenes) command -v npm >/dev/null || needed+=" $scenes" ;;
-        *) echo "usage: install_packages.sh [build] [test] [ci] [scenes]" >&2; exit 2 ;;
+        *) echo "usage: install_packages.sh [build] [test] [ci] [wheel] [scenes]" >&2; exit 2 ;;
     esac
 done
 

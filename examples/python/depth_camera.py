@@ -1,4 +1,7 @@
-"""A depth camera that drives around a mesh which moves: depth and ids, as fast as they come."""
+"""A depth camera that drives around a mesh which moves: depth and ids, as fast as they come.
+
+    python3 depth_camera.py [FRAMES]
+"""
 
 import sys
 import time

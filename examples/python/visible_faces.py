@@ -1,4 +1,7 @@
-"""Which triangles of a model cameras see, as texturing from photographs needs it."""
+"""Which triangles of a model cameras see, as texturing from photographs needs it.
+
+    python3 visible_faces.py [SCENE]
+"""
 
 import sys
 

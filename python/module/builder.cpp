@@ -163,6 +163,8 @@ class Builder {
 
     void set_background(const Color& color) { builder_.set_background(to_vec3(color)); }
 
+    void set_ambient(const Color& color) { builder_.set_ambient(to_vec3(color)); }
+
     LoadedScene scene(const std::optional<bool>& studio)
     {
         if (built_) throw py::value_error("the builder has given its scene away: make another");
@@ -222,6 +224,7 @@ void add_builder(py::module_& module)
             py::arg("world_from_mesh") = py::none(), py::arg("material"), py::arg("name") = "")
         .def("add_light", &Builder::add_light, py::arg("light"))
         .def("set_background", &Builder::set_background, py::arg("color"))
+        .def("set_ambient", &Builder::set_ambient, py::arg("color"))
         .def("build", &Builder::scene, py::kw_only(), py::arg("studio") = py::none());
 }
 

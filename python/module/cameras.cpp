@@ -3,6 +3,8 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "numbers.h"
+#include "paths.h"
 #include "posed.h"
 
 #include <firsthit/camera_file.h>
@@ -16,6 +18,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace firsthit::python {
@@ -24,10 +27,9 @@ namespace {
 namespace py = pybind11;
 
 using Pair = std::array<double, 2>;
-using Pixels = std::pair<int, int>; // width, height
 
 SizedCamera make_camera(const py::object& eye, const py::object& direction, const py::object& up,
-    const Pixels& size, double fov_y, const std::optional<Pair>& focal,
+    const py::object& size, double fov_y, const std::optional<Pair>& focal,
     const std::optional<Pair>& principal_point, double skew)
 {
     SizedCamera made;
@@ -40,22 +42,24 @@ SizedCamera make_camera(const py::object& eye, const py::object& direction, cons
     if (principal_point)
         camera.principal_point = glm::dvec2((*principal_point)[0], (*principal_point)[1]);
     camera.skew = skew;
-    made.view.width = size.first;
-    made.view.height = size.second;
+    std::tie(made.view.width, made.view.height) = picture_size(size);
     return made;
 }
 
-std::vector<SizedCamera> cameras_of(const std::string& path,
-    const std::optional<double>& pixel_center, const std::optional<Pixels>& size)
+std::vector<SizedCamera> cameras_of(
+    const py::object& given_path, const std::optional<double>& pixel_center, const py::object& size)
 {
+    const std::string path = path_text(given_path);
+    std::pair<int, int> given{0, 0};
+    if (!size.is_none()) given = picture_size(size);
     std::vector<SizedCamera> all;
     for (const FileCamera& camera : read_cameras(path, pixel_center)) {
         SizedCamera made;
-        if (!size && camera.width == 0)
+        if (size.is_none() && camera.width == 0)
             throw ArgumentError(
                 path + ": the file does not say how large the pictures are: give size=");
-        made.view.width = size ? size->first : camera.width;
-        made.view.height = size ? size->second : camera.height;
+        made.view.width = size.is_none() ? camera.width : given.first;
+        made.view.height = size.is_none() ? camera.height : given.second;
         made.view.camera = resized_camera(camera, made.view.width, made.view.height);
         made.name = camera.name;
         all.push_back(std::move(made));
@@ -75,20 +79,18 @@ NamedView view_named(const std::string& name)
 }
 
 /// The camera that shows all of a world. up  or None: `usual_up`, unless the world rests on another side.
-SizedCamera frame(PosedWorld& world, const std::string& view, const Pixels& size,
+SizedCamera frame(PosedWorld& world, const std::string& view, const py::object& size,
     const py::object& up, const py::object& usual_up, bool all_around)
 {
+    SizedCamera made;
+    std::tie(made.view.width, made.view.height) = picture_size(size);
     const std::shared_lock lock(world.use);
-    if (size.first < 1 || size.second < 1) throw py::value_error("size: a side is below 1");
     glm::dvec3 axis = vector3(up.is_none() ? usual_up : up, "up");
     if (up.is_none() && axis.z > 0) axis = upward_axis(world.world, axis);
     Framing framing = named_view(view_named(view), axis);
-    framing.aspect = double(size.first) / size.second;
+    framing.aspect = double(made.view.width) / made.view.height;
     framing.all_around = all_around;
-    SizedCamera made;
     made.view.camera = framing_camera(world.world, framing);
-    made.view.width = size.first;
-    made.view.height = size.second;
     return made;
 }
 
@@ -142,12 +144,11 @@ void add_cameras(py::module_& module)
     module.def("read_cameras", &cameras_of, py::arg("path"), py::kw_only(),
         py::arg("pixel_center") = py::none(), py::arg("size") = py::none());
     module.def("_frame", &frame);
-    module.def("_scene_camera", [](PosedWorld& world, const Pixels& size) -> py::object {
+    module.def("_scene_camera", [](PosedWorld& world, const py::object& size) -> py::object {
         if (world.source.scene->cameras.empty()) return py::none();
         SizedCamera made;
         made.view.camera = world.world.camera;
-        made.view.width = size.first;
-        made.view.height = size.second;
+        std::tie(made.view.width, made.view.height) = picture_size(size);
         return py::cast(made);
     });
 }

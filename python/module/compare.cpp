@@ -1,6 +1,8 @@
 // compare.cpp - our items and shadows against brute force and Embree.
 #include "bindings.h"
+#include "interpreter.h"
 #include "camera.h"
+#include "numbers.h"
 #include "posed.h"
 
 #include <firsthit/compare.h>
@@ -19,14 +21,15 @@ Oracle oracle_named(const std::string& name)
     throw py::value_error("against: '" + name + "' is none: accepted are brute and embree");
 }
 
-py::dict compare_items(
-    PosedWorld& world, const SizedCamera& camera, const std::string& against, bool lit, int threads)
+py::dict compare_items(PosedWorld& world, const SizedCamera& camera, const std::string& against,
+    bool lit, const py::object& given_threads)
 {
+    const int threads = thread_count(given_threads);
     const Oracle oracle = oracle_named(against);
     Comparison items;
     LitComparison light;
     {
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         const std::shared_lock lock(world.use);
         items = compare(world.world, camera.view, oracle, threads);
         if (lit) light = compare_lit(world.world, camera.view, oracle, threads);

@@ -2,7 +2,11 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "camera.h"
+#include "interpreter.h"
+#include "paths.h"
 #include "renderer.h"
+
+#include <firsthit/picture.h>
 
 #include <pybind11/stl.h>
 
@@ -54,16 +58,17 @@ void set_channels(Settings& settings, const std::vector<std::string>& channels)
             settings.aovs.push_back(aov_from_name(name));
 }
 
-Settings make_settings(const std::vector<std::string>& channels, int samples, int aa,
-    const std::string& engine, const std::string& shadows, int interleave, const py::object& sky)
+Settings make_settings(const std::vector<std::string>& channels, const py::object& samples,
+    const py::object& aa, const std::string& engine, const std::string& shadows,
+    const py::object& interleave, const py::object& sky)
 {
     Settings settings;
     set_channels(settings, channels);
-    settings.samples = samples;
-    settings.adaptive = aa;
+    settings.samples = whole_number(samples, "samples", 1, 16);
+    settings.adaptive = whole_number(aa, "aa", 1, 16);
     settings.engine = named(engines(), engine, "engine");
     settings.shadows = named(shadow_kinds(), shadows, "shadows");
-    settings.interleave = interleave;
+    settings.interleave = whole_number(interleave, "interleave", 1, 16);
     if (!sky.is_none()) settings.sky = sky.cast<Sky>();
     return settings;
 }
@@ -144,6 +149,18 @@ void add_frames(py::module_& module)
         .def_property_readonly("channels", &channels_of)
         .def_property_readonly("stats", &stats_of)
         .def_property_readonly("engine", [](const Frame& self) { return self.engine; })
+        .def(
+            "save",
+            [](const Frame& self, const py::object& given_path, bool dither,
+                const py::object& quality) {
+                const std::string path = path_text(given_path);
+                PictureOptions options;
+                options.dither = dither;
+                options.quality = whole_number(quality, "quality", 1, 100);
+                const Unlocked unlocked;
+                write_picture(self.film, path, options);
+            },
+            py::arg("path"), py::kw_only(), py::arg("dither") = true, py::arg("quality") = 95)
         .def("__getitem__", &channel, py::arg("channel"))
         .def("__contains__", [](const Frame& self, const std::string& name) {
             for (const std::string& known : channels_of(self))
@@ -152,7 +169,7 @@ void add_frames(py::module_& module)
         });
     py::class_<PythonRenderer>(
         module, "Renderer", "Makes frames, and keeps memory and threads between them.")
-        .def(py::init<int>(), py::arg("threads") = 0)
+        .def(py::init<const py::object&>(), py::arg("threads") = 0)
         .def_property_readonly("threads", &PythonRenderer::threads)
         .def("_render", &PythonRenderer::render);
     module.def("_render_batch", &render_batch);

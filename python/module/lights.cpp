@@ -1,6 +1,7 @@
 // lights.cpp - lights, the sky, and where the sun is.
 #include "arrays.h"
 #include "bindings.h"
+#include "numbers.h"
 
 #include <firsthit/light.h>
 #include <firsthit/sky.h>
@@ -43,11 +44,16 @@ Light make_light(const std::string& kind, const py::object& position, const py::
     return light;
 }
 
-Sky make_sky(
-    int directions, const Color& color, const Color& ground, float bounce, const py::object& up)
+int direction_count(const py::object& object)
+{
+    return whole_number(object, "sky: directions", 0, Sky::kMostDirections);
+}
+
+Sky make_sky(const py::object& directions, const Color& color, const Color& ground, float bounce,
+    const py::object& up)
 {
     Sky sky;
-    sky.directions = directions;
+    sky.directions = direction_count(directions);
     sky.color = to_vec3(color);
     sky.ground = to_vec3(ground);
     sky.bounce = bounce;
@@ -86,7 +92,9 @@ void add_lights(py::module_& module)
             py::arg("color") = Color{0.3f, 0.3f, 0.3f},
             py::arg("ground") = Color{0.09f, 0.09f, 0.09f}, py::arg("bounce") = 0.0f,
             py::arg("up") = py::none())
-        .def_readwrite("directions", &Sky::directions);
+        .def_property(
+            "directions", [](const Sky& self) { return self.directions; },
+            [](Sky& self, const py::object& value) { self.directions = direction_count(value); });
     module.def("studio_sky", &studio_sky);
     module.def(
         "sun_position",

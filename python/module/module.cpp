@@ -1,6 +1,7 @@
 // module.cpp - the module firsthit._firsthit, on which the package stands.
 #include "bindings.h"
 #include "errors.h"
+#include "interpreter.h"
 
 #include <firsthit/render.h>
 
@@ -9,6 +10,7 @@ PYBIND11_MODULE(_firsthit, module)
     using namespace firsthit::python;
     module.doc() = "The compiled part of firsthit: see the package.";
     add_errors(module);
+    add_ending(module);
     add_lights(module);
     add_scenes(module);
     add_builder(module);

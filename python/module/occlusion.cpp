@@ -1,6 +1,8 @@
 // occlusion.cpp - which points lights do not reach, and how much of the sky does.
 #include "arrays.h"
 #include "bindings.h"
+#include "interpreter.h"
+#include "numbers.h"
 #include "posed.h"
 
 #include <firsthit/occlusion.h>
@@ -20,7 +22,7 @@ namespace py = pybind11;
 /// An Occlusion for one thread at a time.
 class PythonOcclusion {
   public:
-    explicit PythonOcclusion(int threads) : occlusion_(threads) {}
+    explicit PythonOcclusion(const py::object& threads) : occlusion_(thread_count(threads)) {}
 
     /// returns  bool (L, N), or with `packed` uint8 (L, ceil(N / 8)), bit k of byte j for point 8 j + k
     py::array test(PosedWorld& world, const py::object& points, const std::vector<Light>& lights,
@@ -32,7 +34,7 @@ class PythonOcclusion {
         if (packed) {
             std::vector<std::uint8_t> bits;
             {
-                const py::gil_scoped_release release;
+                const Unlocked unlocked;
                 const std::lock_guard turn(turn_);
                 const std::shared_lock lock(world.use);
                 occlusion_.test_packed(world.world, at, lights, bits, on);
@@ -43,7 +45,7 @@ class PythonOcclusion {
         }
         py::array_t<bool> result({number, count});
         bool* out = result.mutable_data();
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         const std::lock_guard turn(turn_);
         const std::shared_lock lock(world.use);
         occlusion_.test(
@@ -65,7 +67,7 @@ class PythonOcclusion {
         const std::vector<std::uint32_t> on = ids(receivers, "receivers");
         std::vector<glm::vec3> light;
         {
-            const py::gil_scoped_release release;
+            const Unlocked unlocked;
             const std::lock_guard turn(turn_);
             const std::shared_lock lock(world.use);
             sky_light(occlusion_, world.world, sky, {at, up, on}, light);
@@ -87,7 +89,7 @@ void add_occlusion(py::module_& module)
 {
     py::class_<PythonOcclusion>(
         module, "Occlusion", "Tests points against lights, and keeps memory between tests.")
-        .def(py::init<int>(), py::arg("threads") = 0)
+        .def(py::init<const py::object&>(), py::arg("threads") = 0)
         .def("_test", &PythonOcclusion::test)
         .def("_sky", &PythonOcclusion::sky);
 }

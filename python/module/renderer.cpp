@@ -2,6 +2,7 @@
 #include "renderer.h"
 
 #include "arrays.h"
+#include "interpreter.h"
 
 #include <firsthit/error.h>
 
@@ -11,6 +12,7 @@
 #include <exception>
 #include <memory>
 #include <shared_mutex>
+#include <stop_token>
 #include <thread>
 
 namespace firsthit::python {
@@ -44,11 +46,12 @@ class Watch {
     /// Called without the interpreter's lock.
     void operator()(double share)
     {
+        check_ending();
         const auto now = Clock::now();
         if (share < 1 && now - last_ < std::chrono::milliseconds(20)) return;
         if (share >= 1 && progress_.is_none()) return;
         last_ = now;
-        const py::gil_scoped_acquire acquire;
+        const Locked locked;
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         if (!progress_.is_none()) progress_(share);
     }
@@ -57,6 +60,19 @@ class Watch {
     py::object progress_;
     Clock::time_point last_ = Clock::now();
 };
+
+/// (x, y, width, height) from the picture's top left.
+std::array<int, 4> region_of(const py::object& object)
+{
+    if (!py::isinstance<py::sequence>(object) || py::len(object) != 4)
+        throw py::type_error("region: got " + std::string(py::repr(object)) +
+                             ": accepted is (x, y, width, height) from the picture's top left");
+    const auto given = py::reinterpret_borrow<py::sequence>(object);
+    return {whole_number(given[0], "region: x", 0, kMostPixels),
+        whole_number(given[1], "region: y", 0, kMostPixels),
+        whole_number(given[2], "region: width", 1, kMostPixels),
+        whole_number(given[3], "region: height", 1, kMostPixels)};
+}
 
 /// What `render` is given beside world, camera and settings, all of it optional.
 Shot shot_of(const SizedCamera& camera, const py::object& extras, py::object& progress)
@@ -69,7 +85,7 @@ Shot shot_of(const SizedCamera& camera, const py::object& extras, py::object& pr
     const auto has = [&](const char* name) {
         return given.contains(name) && !given[name].is_none();
     };
-    if (has("region")) shot.region = given["region"].cast<std::array<int, 4>>();
+    if (has("region")) shot.region = region_of(given["region"]);
     if (has("lights")) shot.lights = given["lights"].cast<std::vector<Light>>();
     if (has("previous_world")) shot.previous = &given["previous_world"].cast<PosedWorld&>();
     if (has("previous_camera")) shot.previous_camera = given["previous_camera"].cast<SizedCamera>();
@@ -95,20 +111,12 @@ class Lighting {
     std::vector<Light> kept_;
 };
 
-void check_region(const std::array<int, 4>& region)
-{
-    if (region[0] < 0 || region[1] < 0 || region[2] < 1 || region[3] < 1)
-        throw ArgumentError(
-            "region: accepted is (x, y, width, height) from the picture's top left");
-}
-
 /// Renders with the world's lock held in the way that it needs.
 void render_shot(Renderer& renderer, PosedWorld& world, const Shot& shot, Settings settings,
     Frame& frame, const FrameControl& control)
 {
     View view = shot.camera.view;
     if (shot.region) {
-        check_region(*shot.region);
         const auto& [x, y, width, height] = *shot.region;
         view.region = {x, y, width, height};
     }
@@ -141,28 +149,33 @@ void PythonRenderer::render(PosedWorld& world, const SizedCamera& camera, const 
     Watch watch(progress);
     FrameControl control;
     control.progress = [&watch](double share) { watch(share); };
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     const std::lock_guard lock(turn_);
     render_shot(renderer_, world, shot, settings, frame, control);
 }
 
 std::vector<std::unique_ptr<Frame>> render_batch(PosedWorld& world,
     const std::vector<SizedCamera>& cameras, const Settings& settings,
-    const std::optional<std::vector<Light>>& lights, int threads)
+    const std::optional<std::vector<Light>>& lights, const py::object& given_threads)
 {
+    const int threads = thread_count(given_threads);
     std::vector<std::unique_ptr<Frame>> frames(cameras.size());
     for (auto& frame : frames) frame = std::make_unique<Frame>();
-    if (threads < 0) throw ArgumentError("threads: accepted are 0 or more");
     std::size_t workers =
         threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
     workers = std::min(workers, std::max<std::size_t>(1, cameras.size()));
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     const std::shared_lock lock(world.use);
     const bool change = needs_lights(settings) && (lights || follows_camera(world.world.lights));
     std::atomic<std::size_t> next{0};
-    std::atomic<bool> stop{false};
+    std::stop_source stop;
     std::mutex failure_lock;
     std::exception_ptr failure;
+    const auto fail = [&] {
+        const std::lock_guard guard(failure_lock);
+        if (!failure) failure = std::current_exception();
+        stop.request_stop();
+    };
     const auto work = [&] {
         try {
             Renderer renderer(1);
@@ -171,32 +184,32 @@ std::vector<std::unique_ptr<Frame>> render_batch(PosedWorld& world,
                 own = world.world;
                 if (lights) own.lights = *lights;
             }
-            for (std::size_t k; !stop && (k = next++) < cameras.size();) {
+            const FrameControl control{.stop = stop.get_token(), .progress = {}};
+            for (std::size_t k; !stop.stop_requested() && (k = next++) < cameras.size();) {
                 const View& view = cameras[k].view;
                 if (change) hang_lights(view.camera, own);
-                renderer.render(change ? own : world.world, view, settings, frames[k]->film);
+                renderer.render(
+                    change ? own : world.world, view, settings, frames[k]->film, control);
                 frames[k]->stats = renderer.stats();
                 frames[k]->engine = name_of(renderer.engine().engine);
             }
         } catch (...) {
-            const std::lock_guard guard(failure_lock);
-            if (!failure) failure = std::current_exception();
-            stop = true;
+            fail();
         }
     };
     std::vector<std::jthread> pool;
     for (std::size_t k = 0; k < workers; ++k) pool.emplace_back(work);
     // This thread listens for Ctrl-C meanwhile.
-    std::optional<py::error_already_set> interrupted;
-    while (next < cameras.size() + workers && !stop) {
+    while (next < cameras.size() + workers && !stop.stop_requested()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        const py::gil_scoped_acquire acquire;
-        if (PyErr_CheckSignals() == 0) continue;
-        interrupted.emplace();
-        stop = true;
+        try {
+            const Locked locked;
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        } catch (...) {
+            fail();
+        }
     }
     pool.clear(); // waits for the frames in work
-    if (interrupted) throw py::error_already_set(*interrupted);
     if (failure) std::rethrow_exception(failure);
     return frames;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera.h"
+#include "numbers.h"
 #include "posed.h"
 
 #include <firsthit/render.h>
@@ -36,7 +37,7 @@ struct Shot {
 /// A renderer for one thread at a time: a second one waits.
 class PythonRenderer {
   public:
-    explicit PythonRenderer(int threads) : renderer_(threads) {}
+    explicit PythonRenderer(const pybind11::object& threads) : renderer_(thread_count(threads)) {}
 
     int threads() const { return renderer_.threads(); }
 
@@ -54,6 +55,6 @@ class PythonRenderer {
 /// threads  0: one for each core
 std::vector<std::unique_ptr<Frame>> render_batch(PosedWorld& world,
     const std::vector<SizedCamera>& cameras, const Settings& settings,
-    const std::optional<std::vector<Light>>& lights, int threads);
+    const std::optional<std::vector<Light>>& lights, const pybind11::object& threads);
 
 } // namespace firsthit::python

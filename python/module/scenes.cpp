@@ -1,6 +1,8 @@
 // scenes.cpp - scenes from files: what is in them, and their poses.
 #include "arrays.h"
 #include "bindings.h"
+#include "interpreter.h"
+#include "paths.h"
 #include "posed.h"
 
 #include <firsthit/scene.h>
@@ -42,16 +44,17 @@ std::int32_t clip_of(const Scene& scene, const py::object& clip, std::int32_t us
     return std::int32_t(number);
 }
 
-LoadedScene load(const std::string& path, const py::object& clip, std::optional<bool> studio,
+LoadedScene load(const py::object& given_path, const py::object& clip, std::optional<bool> studio,
     const std::string& scene, bool strict, double crease_angle)
 {
+    const std::string path = path_text(given_path);
     LoadSettings settings;
     settings.scene = scene;
     settings.strict = strict;
     settings.crease_angle_rad = crease_angle * std::acos(-1.0) / 180;
     LoadedScene loaded;
     {
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         Scene read = load_scene(path, settings);
         loaded.studio = studio.value_or(!has_own_lights(read));
         if (loaded.studio) set_up_studio(read);

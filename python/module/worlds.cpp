@@ -1,6 +1,8 @@
 // worlds.cpp - scenes at a time, whose vertices Python may move.
 #include "arrays.h"
 #include "bindings.h"
+#include "interpreter.h"
+#include "numbers.h"
 #include "posed.h"
 
 #include <firsthit/error.h>
@@ -10,7 +12,9 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <span>
 #include <string>
 
 namespace firsthit::python {
@@ -25,21 +29,33 @@ py::array_t<float> vertex_view(std::vector<glm::vec3>& vectors, const py::object
 }
 
 /// Poses it anew; its arrays keep their addresses, because a scene's sizes do not change.
-void pose_world(
-    PosedWorld& self, double time_s, std::int32_t clip, std::int32_t camera, int threads)
+void pose_world(PosedWorld& self, double time_s, std::int32_t clip, const py::object& given_camera,
+    const py::object& given_threads)
 {
-    const py::gil_scoped_release release;
+    const int threads = thread_count(given_threads);
+    const std::int32_t camera =
+        whole_number(given_camera, "camera", 0, std::numeric_limits<std::int32_t>::max());
+    const Unlocked unlocked;
     const std::unique_lock lock(self.use);
     pose(
         self.source.scene, {.time_s = time_s, .clip = clip, .camera = camera}, self.world, threads);
 }
 
+/// Sums x * 0, which is 0 for finite x, so that the good case runs without branches.
+bool all_finite(std::span<const glm::vec3> vectors)
+{
+    glm::vec3 sum(0);
+    for (const glm::vec3& v : vectors) sum += v * 0.0f;
+    return sum == glm::vec3(0);
+}
+
 /// throws  SceneError: a coordinate that is not finite
 void check_positions(PosedWorld& self)
 {
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     const std::shared_lock lock(self.use);
     const auto& position = self.world.position;
+    if (all_finite(position)) return;
     for (std::size_t k = 0; k < position.size(); ++k)
         if (!(std::isfinite(position[k].x) && std::isfinite(position[k].y) &&
                 std::isfinite(position[k].z)))
@@ -71,8 +87,9 @@ void add_worlds(py::module_& module)
         .def("changed", &check_positions)
         .def(
             "update_normals",
-            [](PosedWorld& self, int threads) {
-                const py::gil_scoped_release release;
+            [](PosedWorld& self, const py::object& given_threads) {
+                const int threads = thread_count(given_threads);
+                const Unlocked unlocked;
                 const std::unique_lock lock(self.use);
                 update_normals(self.world, threads);
             },

@@ -155,6 +155,25 @@ void check_textures(const Scene& scene, const MetallicRoughness& m, const std::s
         check_map(scene, *map, what);
 }
 
+/// throws  SceneError: the value is not in 0 to 1
+void check_share(const Scene& scene, float value, const std::string& what)
+{
+    if (!(0 <= value && value <= 1))
+        fail(scene, fmt::format("{} is {}: accepted is 0 to 1", what, value));
+}
+
+void check_shares(const Scene& scene, const MetallicRoughness& m, const std::string& what)
+{
+    check_share(scene, m.metallic, what + ": metallic");
+    check_share(scene, m.roughness, what + ": roughness");
+}
+
+/// Phong and Unlit have no shares.
+template <class Model>
+void check_shares(const Scene&, const Model&, const std::string&)
+{
+}
+
 void check_materials(const Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
@@ -164,11 +183,13 @@ void check_materials(const Scene& scene)
             [&](const auto& model) {
                 check_textures(scene, model, what);
                 if (!all_finite(model)) fail(scene, what + " is not finite");
+                check_shares(scene, model, what);
             },
             material.model);
         check_map(scene, material.opacity_texture, what + ": opacity");
-        if (!std::isfinite(material.opacity) || !std::isfinite(material.alpha_cutoff))
-            fail(scene, what + ": its opacity is not finite");
+        check_share(scene, material.opacity, what + ": opacity");
+        if (!std::isfinite(material.alpha_cutoff))
+            fail(scene, what + ": its alpha cutoff is not finite");
     }
 }
 

@@ -120,6 +120,30 @@ TEST(CheckScene, NamesAMaterialWhoseOpacityIsNotSound)
         names_material([](Material& m) { m.opacity_texture.transform[2].y = std::nanf(""); }));
 }
 
+TEST(CheckScene, RefusesSharesOfMaterialsBeyondZeroToOne)
+{
+    const auto message = [](const auto& damage) {
+        return message_after([&](Scene& s) {
+            s.materials[0].name = "m";
+            s.materials[0].model = MetallicRoughness{};
+            damage(s.materials[0]);
+        });
+    };
+    const auto model = [](Material& m) -> MetallicRoughness& {
+        return std::get<MetallicRoughness>(m.model);
+    };
+    EXPECT_EQ(message([](Material& m) { m.opacity = 2; }),
+        "arrays: material 0 'm': opacity is 2: accepted is 0 to 1");
+    EXPECT_EQ(message([&](Material& m) { model(m).roughness = -1; }),
+        "arrays: material 0 'm': roughness is -1: accepted is 0 to 1");
+    EXPECT_EQ(message([&](Material& m) { model(m).metallic = 1.5f; }),
+        "arrays: material 0 'm': metallic is 1.5: accepted is 0 to 1");
+    for (const float end : {0.0f, 1.0f})
+        EXPECT_EQ(
+            message([&](Material& m) { m.opacity = model(m).roughness = model(m).metallic = end; }),
+            "no error");
+}
+
 TEST(CheckScene, NamesALightAndWhatItAccepts)
 {
     EXPECT_EQ(message_after([](Scene& s) {

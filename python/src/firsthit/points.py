@@ -1,21 +1,28 @@
 """Which points lights do not reach."""
 
+from __future__ import annotations
+
 import threading
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _firsthit as _core
+from ._types import Array
 
 _own = threading.local()
 
 
-def _occlusion():
+def _occlusion() -> _core.Occlusion:
     if not hasattr(_own, "occlusion"):
         _own.occlusion = _core.Occlusion(0)
     return _own.occlusion
 
 
-def occlusion(world, points, lights=None, *, directions=None, receivers=None, packed=False, occlusion=None):
+def occlusion(world: _core.World, points: Array, lights: Union[_core.Light, Sequence[_core.Light], None] = None, *,
+              directions: Optional[Array] = None, receivers: Optional[Array] = None, packed: bool = False,
+              occlusion: Optional[_core.Occlusion] = None) -> npt.NDArray[Any]:
     """Whether triangles stand between points and lights, exactly.
 
     points      (N, 3) world space
@@ -40,6 +47,7 @@ def occlusion(world, points, lights=None, *, directions=None, receivers=None, pa
     return (occlusion or _occlusion())._test(world, points, list(lights), receivers, packed)
 
 
-def sky_light(world, points, normals, sky, *, receivers=None, occlusion=None):
+def sky_light(world: _core.World, points: Array, normals: Array, sky: _core.Sky, *, receivers: Optional[Array] = None,
+              occlusion: Optional[_core.Occlusion] = None) -> npt.NDArray[np.float32]:
     """The light that arrives at points from a Sky, as a picture of a white surface shows it: float32 (N, 3), linear."""
     return (occlusion or _occlusion())._sky(world, points, normals, sky, receivers)

@@ -12,6 +12,13 @@ Arrays have the picture's top row first. Ids that stand for nothing are 0xFFFFFF
 where a name ends in _deg or a text says so, else radians.
 """
 
+try:
+    from . import _firsthit
+except ImportError as error:
+    if error.name not in (None, "firsthit._firsthit", "firsthit") or "_firsthit" not in str(error):
+        raise
+    raise ImportError("firsthit: this folder has no compiled module for this Python: build it and put build/release/python into "
+                      "PYTHONPATH, or use pip install (docs/python.md)") from error
 from ._firsthit import (
     ArgumentError,
     Camera,
@@ -51,6 +58,7 @@ from .cameras import (
     world_to_camera_opengl,
 )
 from .lights import directional, point, spot, sun
+from .masks import coco_masks, coco_rle
 from .points import occlusion, sky_light
 from .rendering import hash_of, render, render_batch, visible
 from .scenes import load, posed
@@ -61,8 +69,9 @@ NO_ID = 0xFFFFFFFF
 __all__ = [
     "ArgumentError", "Camera", "Cancelled", "DeviceError", "Error", "FileError", "Frame", "Light", "Material",
     "NO_ID", "Occlusion", "Renderer", "Scene", "SceneBuilder", "SceneError", "Sky", "World",
-    "camera_to_world_opencv", "camera_to_world_opengl", "compare", "directional", "framing", "from_colmap",
-    "from_gltf", "from_opencv", "hash_of", "instruction_set", "intrinsics", "load", "look_at", "occlusion", "point",
-    "posed", "read_cameras", "render", "render_batch", "scene_camera", "sky_light", "spot", "studio_sky", "sun",
-    "sun_position", "turntable", "visible", "world_to_camera_opencv", "world_to_camera_opengl",
+    "camera_to_world_opencv", "camera_to_world_opengl", "coco_masks", "coco_rle", "compare", "directional",
+    "framing", "from_colmap", "from_gltf", "from_opencv", "hash_of", "instruction_set", "intrinsics", "load",
+    "look_at", "occlusion", "point", "posed", "read_cameras", "render", "render_batch", "scene_camera", "sky_light",
+    "spot", "studio_sky", "sun", "sun_position", "turntable", "visible", "world_to_camera_opencv",
+    "world_to_camera_opengl",
 ]

@@ -1,22 +1,27 @@
 """Pictures."""
 
+from __future__ import annotations
+
 import hashlib
 import threading
+from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _firsthit as _core
 
 _own = threading.local()
 
 
-def _renderer():
+def _renderer() -> _core.Renderer:
     if not hasattr(_own, "renderer"):
         _own.renderer = _core.Renderer(0)
     return _own.renderer
 
 
-def _settings(world, channels, samples, aa, sky, shadows, engine, interleave):
+def _settings(world: _core.World, channels: Union[str, Sequence[str]], samples: Optional[int], aa: Optional[int],
+              sky: Union[_core.Sky, int, None], shadows: str, engine: str, interleave: int) -> Any:
     if isinstance(channels, str):
         channels = [channels]
     channels = list(channels)
@@ -30,14 +35,18 @@ def _settings(world, channels, samples, aa, sky, shadows, engine, interleave):
     elif sky is None:
         sky = _core.studio_sky() if world.scene.studio else None
     elif not isinstance(sky, _core.Sky):
-        number = int(sky)
+        number = sky
         sky = _core.studio_sky() if world.scene.studio else _core.Sky(number)
         sky.directions = number
     return _core._Settings(channels, 1 if samples is None else samples, aa, engine, shadows, interleave, sky)
 
 
-def render(world, camera, channels=("color",), *, samples=None, aa=None, lights=None, sky=None, shadows="auto",
-           engine="cpu", region=None, interleave=1, previous=None, renderer=None, out=None, progress=None):
+def render(world: _core.World, camera: _core.Camera, channels: Union[str, Sequence[str]] = ("color",), *,
+           samples: Optional[int] = None, aa: Optional[int] = None, lights: Optional[Sequence[_core.Light]] = None,
+           sky: Union[_core.Sky, int, None] = None, shadows: str = "auto", engine: str = "cpu",
+           region: Optional[tuple[int, int, int, int]] = None, interleave: int = 1,
+           previous: Optional[tuple[_core.World, _core.Camera]] = None, renderer: Optional[_core.Renderer] = None,
+           out: Optional[_core.Frame] = None, progress: Optional[Callable[[float], object]] = None) -> _core.Frame:
     """A picture of a world: a Frame, whose channels are NumPy arrays over its own memory.
 
     channels    "color" (linear Rec.709), "alpha", "depth" (along the view axis), "distance" (from the eye), "item"
@@ -67,14 +76,16 @@ def render(world, camera, channels=("color",), *, samples=None, aa=None, lights=
     return frame
 
 
-def render_batch(world, cameras, channels=("color",), *, samples=None, aa=None, lights=None, sky=None,
-                 shadows="auto", engine="cpu", threads=0):
+def render_batch(world: _core.World, cameras: Sequence[_core.Camera], channels: Union[str, Sequence[str]] = ("color",), *,
+                 samples: Optional[int] = None, aa: Optional[int] = None,
+                 lights: Optional[Sequence[_core.Light]] = None, sky: Union[_core.Sky, int, None] = None,
+                 shadows: str = "auto", engine: str = "cpu", threads: int = 0) -> list[_core.Frame]:
     """A Frame for each camera, on several threads; 0: one for each core."""
     settings = _settings(world, channels, samples, aa, sky, shadows, engine, 1)
     return _core._render_batch(world, list(cameras), settings, None if lights is None else list(lights), threads)
 
 
-def visible(world, cameras, *, threads=0):
+def visible(world: _core.World, cameras: Sequence[_core.Camera], *, threads: int = 0) -> npt.NDArray[np.uint64]:
     """How many pixels of all cameras see each triangle: uint64 (triangles)."""
     counts = np.zeros(world.scene.triangle_count, np.uint64)
     cameras = list(cameras)
@@ -85,7 +96,7 @@ def visible(world, cameras, *, threads=0):
     return counts
 
 
-def hash_of(frame):
+def hash_of(frame: _core.Frame) -> str:
     """SHA-256 of a frame's channels, as text: equal where all bytes are."""
     digest = hashlib.sha256()
     for name in frame.channels:

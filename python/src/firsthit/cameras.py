@@ -4,20 +4,25 @@ A matrix is named after the way that it goes, and after whose camera axes it has
 OpenGL's (x right, y up, z towards the viewer), which are those of Blender, NeRF and glTF too.
 """
 
+from __future__ import annotations
+
 import math
+import os
+from typing import Optional, Union
 
 import numpy as np
 
 from . import _firsthit as _core
+from ._types import Array, Floats, Size
 
 
-def look_at(eye, target, up=(0, 1, 0), *, size, fov_y_deg=45.0):
+def look_at(eye: Array, target: Array, up: Array = (0, 1, 0), *, size: Size, fov_y_deg: float = 45.0) -> _core.Camera:
     """A camera at `eye` that looks at `target`. size: (width, height) in pixels; fov_y_deg: full vertical angle."""
     direction = np.subtract(np.asarray(target, np.float64), np.asarray(eye, np.float64))
     return _core.Camera(eye=eye, direction=direction, up=up, size=size, fov_y=math.radians(fov_y_deg))
 
 
-def _rigid(matrix, name):
+def _rigid(matrix: Array, name: str) -> Floats:
     m = np.asarray(matrix, np.float64)
     if m.shape == (3, 4):
         m = np.vstack([m, [0, 0, 0, 1]])
@@ -29,7 +34,7 @@ def _rigid(matrix, name):
     return m
 
 
-def from_opencv(K, world_to_camera, size, *, pixel_center=0.0):
+def from_opencv(K: Array, world_to_camera: Array, size: Size, *, pixel_center: float = 0.0) -> _core.Camera:
     """A calibrated camera, as OpenCV, COLMAP and most data sets have it.
 
     K                (3, 3): fx, skew, cx; 0, fy, cy; 0, 0, 1
@@ -48,18 +53,19 @@ def from_opencv(K, world_to_camera, size, *, pixel_center=0.0):
                         principal_point=(k[0, 2] + half, k[1, 2] + half), skew=k[0, 1])
 
 
-def from_gltf(camera_to_world, fov_y, size):
+def from_gltf(camera_to_world: Array, fov_y: float, size: Size) -> _core.Camera:
     """A camera of glTF's axes: looks along -z, y up. fov_y: full vertical angle, radians, as in the file."""
     m = _rigid(camera_to_world, "camera_to_world")
     return _core.Camera(eye=m[:3, 3], direction=-m[:3, 2], up=m[:3, 1], size=size, fov_y=fov_y)
 
 
-def from_colmap(path, *, size=None):
+def from_colmap(path: Union[str, os.PathLike[str]], *, size: Optional[Size] = None) -> dict[str, _core.Camera]:
     """The cameras of a folder with COLMAP's cameras.txt and images.txt, by the names of their pictures."""
     return {camera.name: camera for camera in _core.read_cameras(path, size=size)}
 
 
-def framing(world, view="iso", *, size, up=None, all_around=False):
+def framing(world: _core.World, view: str = "iso", *, size: Size, up: Optional[Array] = None,
+            all_around: bool = False) -> _core.Camera:
     """The camera that shows all of a world.
 
     view        "iso", "front", "back", "left", "right", "top" or "bottom"
@@ -72,13 +78,14 @@ def framing(world, view="iso", *, size, up=None, all_around=False):
     return _core._frame(world, view, size, up, usual, all_around)
 
 
-def scene_camera(world, *, size):
+def scene_camera(world: _core.World, *, size: Size) -> _core.Camera:
     """The camera of the scene's file at the world's time; where it has none, the one that shows all of the world."""
     camera = _core._scene_camera(world, size)
     return framing(world, size=size) if camera is None else camera
 
 
-def turntable(world, count, *, size, view="iso", up=None):
+def turntable(world: _core.World, count: int, *, size: Size, view: str = "iso",
+              up: Optional[Array] = None) -> list[_core.Camera]:
     """`count` cameras of one turn around the world."""
     camera = framing(world, view, size=size, up=up, all_around=True)
     low, high = world.bounds
@@ -86,7 +93,7 @@ def turntable(world, count, *, size, view="iso", up=None):
     return [camera.turned((low + high) / 2, axis, 2 * math.pi * k / count) for k in range(count)]
 
 
-def intrinsics(camera, *, pixel_center=0.0):
+def intrinsics(camera: _core.Camera, *, pixel_center: float = 0.0) -> Floats:
     """K of a camera, float64 (3, 3)."""
     fx, fy = camera.focal
     cx, cy = camera.principal_point
@@ -94,7 +101,7 @@ def intrinsics(camera, *, pixel_center=0.0):
     return np.array([[fx, camera.skew, cx - half], [0, fy, cy - half], [0, 0, 1]])
 
 
-def world_to_camera_opencv(camera):
+def world_to_camera_opencv(camera: _core.Camera) -> Floats:
     """(4, 4), rows: from the world to axes x right, y down, z forward."""
     forward = camera.direction / np.linalg.norm(camera.direction)
     right = np.cross(forward, camera.up)
@@ -106,16 +113,16 @@ def world_to_camera_opencv(camera):
     return m
 
 
-def camera_to_world_opencv(camera):
+def camera_to_world_opencv(camera: _core.Camera) -> Floats:
     """(4, 4), rows: from axes x right, y down, z forward to the world."""
     return np.linalg.inv(world_to_camera_opencv(camera))
 
 
-def world_to_camera_opengl(camera):
+def world_to_camera_opengl(camera: _core.Camera) -> Floats:
     """(4, 4), rows: from the world to axes x right, y up, z towards the viewer."""
     return np.diag([1.0, -1, -1, 1]) @ world_to_camera_opencv(camera)
 
 
-def camera_to_world_opengl(camera):
+def camera_to_world_opengl(camera: _core.Camera) -> Floats:
     """(4, 4), rows: from axes x right, y up, z towards the viewer to the world."""
     return np.linalg.inv(world_to_camera_opengl(camera))

@@ -1,11 +1,16 @@
 """Scenes from files, and scenes at a time."""
 
+from __future__ import annotations
+
+import os
 import warnings
+from typing import Optional, Union
 
 from . import _firsthit as _core
 
 
-def load(path, *, clip=None, studio=None, scene="", strict=False, crease_angle=30.0):
+def load(path: Union[str, os.PathLike[str]], *, clip: Union[str, int, None] = None, studio: Optional[bool] = None,
+         scene: str = "", strict: bool = False, crease_angle: float = 30.0) -> _core.Scene:
     """Reads a scene. What its file says and the scene does not hold is told by warnings.warn, and in scene.warnings.
 
     clip          the animation of poses: name or number, "none"; None: the first
@@ -20,7 +25,8 @@ def load(path, *, clip=None, studio=None, scene="", strict=False, crease_angle=3
     return read
 
 
-def posed(self, time=0.0, clip=None, *, camera=0, world=None, threads=0):
+def posed(self: _core.Scene, time: float = 0.0, clip: Union[str, int, None] = None, *, camera: int = 0,
+          world: Optional[_core.World] = None, threads: int = 0) -> _core.World:
     """The scene at a time in seconds: a World.
 
     clip    name or number, "none" for the pose at rest; None: the scene's own choice
