@@ -18,7 +18,7 @@ Texture read_texture(const std::filesystem::path& path);
 /// The same for a file's bytes; `name` is for errors.
 Texture decode_texture(const std::string& name, std::span<const char> bytes);
 
-/// The picture alone, without smaller levels.
+/// The picture alone, without smaller levels; from the thread's PictureCache where it has one.
 Picture decode_picture(const std::string& name, std::span<const char> bytes);
 
 } // namespace firsthit

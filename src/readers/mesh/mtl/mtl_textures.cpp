@@ -2,6 +2,7 @@
 #include "readers/mesh/mtl/mtl_textures.h"
 
 #include "io/whole_file.h"
+#include "readers/find_beside.h"
 #include "readers/image/image_file.h"
 
 #include <firsthit/error.h>
@@ -64,14 +65,6 @@ bool make_opacity(Picture& picture, char from)
 }
 
 } // namespace
-
-std::filesystem::path find_beside(const std::filesystem::path& folder, const std::string& file)
-{
-    std::filesystem::path given = folder / file;
-    if (is_file(given)) return given;
-    std::filesystem::path bare = folder / file.substr(file.find_last_of("/\\:") + 1);
-    return is_file(bare) ? bare : given;
-}
 
 std::string MtlTextures::key_of(const MtlMap& map) const
 {

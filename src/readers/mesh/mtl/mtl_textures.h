@@ -14,10 +14,6 @@
 
 namespace firsthit {
 
-/// The file that a name means: as it is given, in a folder unless it is absolute; else its bare name in that
-/// folder, as names often come from another computer. Where neither exists it is the first.
-std::filesystem::path find_beside(const std::filesystem::path& folder, const std::string& file);
-
 /// Makes each texture once. Where a picture cannot be had the scene gets a warning, and the texture's number is
 /// -1: none.
 class MtlTextures {
