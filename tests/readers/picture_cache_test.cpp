@@ -42,6 +42,25 @@ TEST(PictureCache, KeepsAPictureByItsBytes)
     EXPECT_EQ(cache.find(other), nullptr);
 }
 
+TEST(PictureCache, KeepsTexturesByTheirBytesAndEncoding)
+{
+    PictureCache cache;
+    const PictureCache::Use use(cache);
+    const std::string bytes = pixel('a');
+    const Texture srgb = decode_texture("a.ppm", bytes);
+    const Texture linear = decode_texture("b.ppm", bytes, Encoding::linear);
+    EXPECT_NE(srgb.color(0, 0, 0), linear.color(0, 0, 0));
+    for (const Encoding encoding : {Encoding::srgb, Encoding::linear}) {
+        ASSERT_NE(cache.find_texture(bytes, encoding), nullptr);
+        const Texture again = decode_texture("other", bytes, encoding);
+        EXPECT_EQ(again.name(), "other");
+        EXPECT_EQ(
+            again.color(0, 0, 0), (encoding == Encoding::srgb ? srgb : linear).color(0, 0, 0));
+    }
+    EXPECT_EQ(cache.find(bytes), nullptr); // nobody asked for the picture
+    EXPECT_EQ(cache.size(), 1u);
+}
+
 TEST(PictureCache, DoesNotKeepWhatIsNoPicture)
 {
     PictureCache cache;

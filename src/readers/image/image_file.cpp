@@ -107,9 +107,18 @@ Picture decode_picture(const std::string& name, std::span<const char> bytes)
     return made;
 }
 
-Texture decode_texture(const std::string& name, std::span<const char> bytes)
+Texture decode_texture(const std::string& name, std::span<const char> bytes, Encoding encoding)
 {
-    return Texture(name, decode_picture(name, bytes));
+    PictureCache* const cache = PictureCache::current();
+    if (!cache) return Texture(name, decode_any(name, bytes), encoding);
+    if (const std::shared_ptr<const Texture> known = cache->find_texture(bytes, encoding)) {
+        Texture copy = *known;
+        copy.rename(name);
+        return copy;
+    }
+    Texture made(name, decode_any(name, bytes), encoding);
+    cache->add_texture(bytes, encoding, made);
+    return made;
 }
 
 Texture read_texture(const std::filesystem::path& path)

@@ -39,30 +39,55 @@ void PictureCache::begin_scene()
     entries_.remove_if([&](const Entry& entry) { return entry.scene + kKept < scene_; });
 }
 
-PictureCache::Entry* PictureCache::entry_of(std::span<const char> bytes, std::size_t hash)
+PictureCache::Entry* PictureCache::known_entry(std::span<const char> bytes)
 {
+    const std::size_t hash = std::hash<std::string_view>()(view_of(bytes));
     for (Entry& entry : entries_)
-        if (entry.hash == hash && entry.bytes == view_of(bytes)) return &entry;
+        if (entry.hash == hash && entry.bytes == view_of(bytes)) {
+            entry.scene = scene_;
+            return &entry;
+        }
     return nullptr;
+}
+
+PictureCache::Entry& PictureCache::entry_of(std::span<const char> bytes)
+{
+    if (Entry* const known = known_entry(bytes)) return *known;
+    Entry& added = entries_.emplace_back();
+    added.hash = std::hash<std::string_view>()(view_of(bytes));
+    added.bytes = view_of(bytes);
+    added.scene = scene_;
+    return added;
 }
 
 std::shared_ptr<const Picture> PictureCache::find(std::span<const char> bytes)
 {
-    const std::size_t hash = std::hash<std::string_view>()(view_of(bytes));
     const std::lock_guard one_at_a_time(use_);
-    Entry* const entry = entry_of(bytes, hash);
-    if (!entry) return nullptr;
-    entry->scene = scene_;
-    return entry->picture;
+    const Entry* const entry = known_entry(bytes);
+    return entry ? entry->picture : nullptr;
 }
 
 void PictureCache::add(std::span<const char> bytes, const Picture& picture)
 {
-    const std::size_t hash = std::hash<std::string_view>()(view_of(bytes));
+    auto kept = std::make_shared<const Picture>(picture);
     const std::lock_guard one_at_a_time(use_);
-    if (entry_of(bytes, hash)) return; // another thread was faster
-    entries_.push_back(
-        {hash, std::string(view_of(bytes)), std::make_shared<const Picture>(picture), scene_});
+    entry_of(bytes).picture = std::move(kept);
+}
+
+std::shared_ptr<const Texture> PictureCache::find_texture(
+    std::span<const char> bytes, Encoding encoding)
+{
+    const std::lock_guard one_at_a_time(use_);
+    const Entry* const entry = known_entry(bytes);
+    return entry ? entry->texture[encoding == Encoding::linear] : nullptr;
+}
+
+void PictureCache::add_texture(
+    std::span<const char> bytes, Encoding encoding, const Texture& texture)
+{
+    auto kept = std::make_shared<const Texture>(texture);
+    const std::lock_guard one_at_a_time(use_);
+    entry_of(bytes).texture[encoding == Encoding::linear] = std::move(kept);
 }
 
 std::size_t PictureCache::size()

@@ -3,6 +3,7 @@
 
 #include <firsthit/texture.h>
 
+#include <array>
 #include <cstddef>
 #include <list>
 #include <memory>
@@ -39,18 +40,25 @@ class PictureCache {
 
     void add(std::span<const char> bytes, const Picture& picture);
 
+    /// The same for textures with all their levels, which take longer to make than pictures.
+    std::shared_ptr<const Texture> find_texture(std::span<const char> bytes, Encoding encoding);
+
+    void add_texture(std::span<const char> bytes, Encoding encoding, const Texture& texture);
+
     /// How many there are.
     std::size_t size();
 
   private:
     struct Entry {
         std::size_t hash = 0;
-        std::string bytes; // of the file: equal hashes are no proof
-        std::shared_ptr<const Picture> picture;
-        std::size_t scene = 0; // the last one that used it
+        std::string bytes;                      // of the file: equal hashes are no proof
+        std::shared_ptr<const Picture> picture; // null: was not asked for
+        std::array<std::shared_ptr<const Texture>, 2> texture; // by encoding; null: as above
+        std::size_t scene = 0;                                 // the last one that used it
     };
     void begin_scene();
-    Entry* entry_of(std::span<const char> bytes, std::size_t hash);
+    Entry* known_entry(std::span<const char> bytes);
+    Entry& entry_of(std::span<const char> bytes);
 
     std::mutex use_;
     std::list<Entry> entries_;

@@ -39,8 +39,12 @@ class MtlTextures {
     std::int32_t metallic_roughness(const MtlMap& roughness, const MtlMap& metallic);
 
   private:
+    /// Warns where the file cannot be read or decoded, once.
+    void read_file(const MtlMap& map,
+        const std::function<void(const std::string& path, const std::string& bytes)>& decode);
     std::optional<Picture> read(const MtlMap& map);
     std::int32_t add(const MtlMap& map, const Picture& picture, Encoding encoding);
+    std::int32_t add(const MtlMap& map, Texture texture);
     std::int32_t once(const std::string& key, const std::function<std::int32_t()>& make);
     std::string key_of(const MtlMap& map) const;
 
