@@ -143,6 +143,7 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
         return options.data.resume && files.are_there(frame);
     };
     World world, before; // of this frame, and of the one before where motion is asked for
+    double before_s = 0;
     Film film;
     std::stop_source stop;
     FrameControl control;
@@ -167,7 +168,9 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
         }
         run.pose.time_s = run.frames.time_s[frame];
         follow(run.source, options, run.pose.time_s, scene);
-        if (before.scene != scene) run.settings.previous = {};
+        if (before.scene && before.scene != scene &&
+            !run.source.sequence().same_triangles(before_s, run.pose.time_s))
+            run.settings.previous = {};
         run.renderer.pose(scene, run.pose, world);
         const View view = run.views.view(world, frame);
         if (!skip) {
@@ -185,6 +188,7 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
         if (motion) {
             std::swap(world, before);
             run.settings.previous = {&before, view.camera};
+            before_s = run.pose.time_s;
         }
         progress.advance();
     }

@@ -90,6 +90,13 @@ class SceneSequence {
     ///         as load_scene, for a file that is needed now; the next call tries again
     std::shared_ptr<const Scene> scene_at(double time_s);
 
+    /// Whether triangle ids and their corners mean the same at two times, so that a world of one may be
+    /// Settings::previous of a frame of the other; vertices may be numbered in another way. So it is
+    /// where the files of both times have one topology and cut polygons into the same triangles, and
+    /// always of a single scene.
+    /// throws  ArgumentError: a time that is not finite; and as scene_at
+    bool same_triangles(double a_s, double b_s);
+
     /// The scene of one frame, as its file has it.
     /// throws  ArgumentError: there is no such frame; and as scene_at
     std::shared_ptr<const Scene> frame(std::size_t number);

@@ -2,8 +2,10 @@
 #include "io/parse_number.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <limits>
+#include <string>
 #include <system_error>
 
 namespace firsthit {
@@ -53,6 +55,15 @@ std::optional<Real> parse_real(std::string_view word)
 }
 
 } // namespace
+
+bool says_no_number(std::string_view word)
+{
+    if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+    std::string first(word.substr(0, 3));
+    std::transform(first.begin(), first.end(), first.begin(),
+        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return first == "nan" || first == "inf" || first == "1.#";
+}
 
 std::optional<double> parse_number(std::string_view word)
 {

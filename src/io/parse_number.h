@@ -18,4 +18,8 @@ std::optional<float> parse_float(std::string_view word);
 /// The same for whole numbers; nothing also where 64 bits do not hold it.
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
+/// Whether a word is one of those that programs write for numbers that are none: "nan", "-nan(ind)", "Inf",
+/// "1.#QNAN" and the like, of which only some are numbers of C++.
+bool says_no_number(std::string_view word);
+
 } // namespace firsthit

@@ -1,5 +1,6 @@
 // mesh_file.cpp - PLY, STL, OBJ and OFF files as scenes.
 #include "scene/model/default_material.h"
+#include "readers/find_beside.h"
 #include "readers/mesh_file.h"
 
 #include "readers/mesh/raw_mesh.h"
@@ -60,11 +61,8 @@ std::int32_t read_default_texture(const RawMesh& raw, const std::string& name,
             name, printable(raw.texture)));
         return -1;
     }
-    std::string bare = raw.texture;
-    bare.erase(0, bare.find_last_of("/\\") + 1);
-    std::filesystem::path path = folder / raw.texture;
+    const std::filesystem::path path = find_beside(folder, raw.texture);
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) path = folder / bare;
     if (std::filesystem::is_regular_file(path, error)) scene.add_file(path.string());
     try {
         return static_cast<std::int32_t>(scene.add_texture(read_texture(path)));

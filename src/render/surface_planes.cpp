@@ -84,12 +84,11 @@ void check_previous(const World& world, const View& view, const PreviousFrame& p
     if (!previous.world) return;
     const World& before = *previous.world;
     if (!before.scene || before.scene->index.size() != world.scene->index.size() ||
-        before.position.size() != world.position.size() ||
         before.scene->instances.size() != world.scene->instances.size() ||
         before.node_visible.size() != world.node_visible.size())
         throw ArgumentError(
             "the previous frame's world is not a pose of this frame's scene: it has "
-            "other triangles, vertices, instances or nodes");
+            "other triangles, instances or nodes");
     View picture = view;
     picture.camera = previous.camera;
     whole(picture); // checks the camera

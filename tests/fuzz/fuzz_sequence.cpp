@@ -45,7 +45,7 @@ SequenceFrame frame_of(std::string_view bytes)
     Scene scene = read_mesh(std::string(bytes), ".obj", "fuzz", {}, {});
     flatten(scene);
     SequenceFrame frame;
-    frame.topology = topology_of(scene, {});
+    frame.topology = std::make_shared<const Topology>(topology_of(scene, {}));
     frame.scene = std::make_shared<const Scene>(std::move(scene));
     return frame;
 }
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const SequenceFrame a = frame_of(part_of(bytes));
         const SequenceFrame b = frame_of(part_of(bytes));
-        const std::optional<CornerMap> map = match(a.topology, b.topology);
+        const std::optional<CornerMap> map = match(*a.topology, *b.topology);
         if (!map) return 0;
         const auto between = std::make_shared<const Scene>(scene_between(a, b, *map, 1, 2));
         check_scene(*between);

@@ -41,6 +41,8 @@ Scene read_aff(const std::filesystem::path& path, const LoadSettings& settings)
     const std::string text = read_whole_file(path);
     std::vector<std::string> opened = {path.string()};
     Scene scene = parse_aff(path.string(), text, aff_files_beside(path, &opened), settings);
+    if (scene.index.empty())
+        throw FileError(path.string() + ": no triangles in it: there is nothing to show");
     scene.files = std::move(opened);
     return scene;
 }

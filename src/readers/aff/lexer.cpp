@@ -167,6 +167,19 @@ glm::vec2 Lexer::small_pair(const char* what)
     return {x, small_number(what)};
 }
 
+glm::vec3 Lexer::any_triple(const char* what)
+{
+    glm::vec3 read(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view token = word(what);
+        const std::optional<float> value = parse_float(token);
+        if (!value && !says_no_number(token))
+            fail_file(std::string(what) + " should be a number, not " + in_quotes(token));
+        read[axis] = value.value_or(std::numeric_limits<float>::quiet_NaN());
+    }
+    return read;
+}
+
 std::optional<float> Lexer::small_number_if_next(const char* what)
 {
     if (!parse_number(peek())) return {};

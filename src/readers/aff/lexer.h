@@ -60,6 +60,8 @@ class Lexer {
     glm::dvec3 triple(const char* what);
     glm::vec3 small_triple(const char* what);
     glm::vec2 small_pair(const char* what);
+    /// Three numbers that may be not finite: what needs them is left out.
+    glm::vec3 any_triple(const char* what);
 
     /// The next token as a number if it is one; otherwise takes nothing.
     std::optional<float> small_number_if_next(const char* what);

@@ -21,10 +21,17 @@
 namespace firsthit::aff {
 namespace {
 
-/// Reads a corner's normal if there is one; zero otherwise.
+bool is_finite_point(const glm::vec3& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Reads a corner's normal if there is one; zero, which means that it is computed, otherwise.
 glm::vec3 corner_normal(Lexer& lexer, bool has_normal)
 {
-    return has_normal ? lexer.small_triple("a corner's normal") : glm::vec3(0);
+    if (!has_normal) return glm::vec3(0);
+    const glm::vec3 normal = lexer.any_triple("a corner's normal");
+    return is_finite_point(normal) ? normal : glm::vec3(0);
 }
 
 void begin_plain_instance(const Lexer& lexer, State& state)
@@ -57,7 +64,7 @@ PolygonCorners read_corners(Lexer& lexer, std::uint32_t count, bool have_normals
     PolygonCorners corners;
     corners.position.reserve(std::min<std::size_t>(count, lexer.remaining() / 6 + 1));
     for (std::uint32_t k = 0; k < count; ++k) {
-        corners.position.push_back(lexer.small_triple("a corner"));
+        corners.position.push_back(lexer.any_triple("a corner"));
         corners.normal.push_back(corner_normal(lexer, have_normals));
     }
     return corners;
@@ -73,7 +80,7 @@ std::optional<PolygonCorners> read_corner_lines(
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::size_t line_before = lexer.line();
         if (!parse_number(lexer.peek())) return {};
-        corners.position.push_back(lexer.small_triple("a corner"));
+        corners.position.push_back(lexer.any_triple("a corner"));
         const std::size_t line = lexer.line();
         if (line == line_before || !lexer.has_more_on_line()) return {};
         corners.normal.push_back(corner_normal(lexer, have_normals));
@@ -88,8 +95,6 @@ std::optional<PolygonCorners> read_corner_lines(
 void read_any_polygon(Lexer& lexer, State& state, bool has_normals)
 {
     const std::uint32_t count = lexer.count("the number of corners");
-    if (count < 3)
-        lexer.fail_scene("a polygon should have 3 corners or more, not " + std::to_string(count));
     const Lexer::Mark begin = lexer.mark();
     PolygonCorners corners = read_corners(lexer, count, has_normals);
     if (parse_number(lexer.peek())) {
@@ -105,6 +110,16 @@ void read_any_polygon(Lexer& lexer, State& state, bool has_normals)
     }
     const std::vector<glm::vec3>& position = corners.position;
     const std::vector<glm::vec3>& normal = corners.normal;
+    if (count < 3) {
+        state.builder.problems.add(
+            "polygons with fewer than 3 corners are left out", "line", lexer.line());
+        return;
+    }
+    if (!std::all_of(position.begin(), position.end(), is_finite_point)) {
+        state.builder.problems.add(
+            "polygons with a corner that is no finite float are left out", "line", lexer.line());
+        return;
+    }
 
     begin_plain_instance(lexer, state);
     const glm::vec3 flat = flat_normal(position);

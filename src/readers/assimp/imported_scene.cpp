@@ -77,10 +77,11 @@ glm::dmat4 metres_from_fbx(const aiMetadata* data)
 } // namespace
 
 ImportedScene::ImportedScene(const aiScene& from, std::string name, std::string extension,
-    const std::filesystem::path& folder)
+    const std::filesystem::path& folder, double unit_m)
     : from_(from),
       name_(std::move(name)),
       extension_(std::move(extension)),
+      unit_m_(unit_m),
       builder_(std::filesystem::path(name_).filename().string()),
       materials_(from, name_, folder, builder_),
       mesh_(from.mNumMeshes, -1)
@@ -99,8 +100,7 @@ Scene ImportedScene::make()
     return builder_.build();
 }
 
-/// Assimp has turned COLLADA's axes and units already. 3MF has z upwards, and millimetres unless it says
-/// another unit, which Assimp does not tell.
+/// Assimp has turned COLLADA's axes and units already. 3MF has z upwards.
 glm::dmat4 ImportedScene::world_from_file() const
 {
     glm::dmat4 matrix(1);
@@ -109,7 +109,7 @@ glm::dmat4 ImportedScene::world_from_file() const
         matrix[3][3] = 1;
     } else if (extension_ == ".3mf") {
         matrix = glm::rotate(glm::dmat4(1), -1.57079632679489662, glm::dvec3(1, 0, 0)) *
-                 glm::scale(glm::dmat4(1), glm::dvec3(0.001));
+                 glm::scale(glm::dmat4(1), glm::dvec3(unit_m_));
     }
     return matrix;
 }

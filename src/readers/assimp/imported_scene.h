@@ -23,8 +23,9 @@ class ImportedScene {
     /// name       of the file, for messages
     /// extension  of the file: units and axes are said in another way in each format
     /// folder     where textures are; empty: they are not read
+    /// unit_m     metres of one unit, of a 3MF file
     ImportedScene(const aiScene& from, std::string name, std::string extension,
-        const std::filesystem::path& folder);
+        const std::filesystem::path& folder, double unit_m);
 
     /// throws  as read_assimp
     Scene make();
@@ -57,6 +58,7 @@ class ImportedScene {
     const aiScene& from_;
     std::string name_;
     std::string extension_;
+    double unit_m_;
     SceneBuilder builder_;
     ImportedMaterials materials_;
     std::vector<PlacedNode> nodes_;

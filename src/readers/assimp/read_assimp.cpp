@@ -1,6 +1,7 @@
 // read_assimp.cpp - FBX, COLLADA and 3MF files as scenes, where the build has Assimp.
 #include "readers/assimp/read_assimp.h"
 
+#include "io/text_cursor.h"
 #include "io/whole_file.h"
 
 #include <firsthit/error.h>
@@ -11,10 +12,12 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <optional>
 
 #ifdef FIRSTHIT_WITH_ASSIMP
 #include "readers/assimp/import_file.h"
 #include "readers/assimp/imported_scene.h"
+#include "readers/assimp/unit_of_3mf.h"
 #endif
 
 namespace firsthit {
@@ -37,7 +40,16 @@ Scene read_assimp(const std::string& name, const std::string& bytes, const std::
 {
 #ifdef FIRSTHIT_WITH_ASSIMP
     const ImportedFile file = import_file(name, bytes, extension, settings.crease_angle_rad);
-    return ImportedScene(*file.scene, name, extension, folder).make();
+    if (extension != ".3mf") return ImportedScene(*file.scene, name, extension, folder, 1).make();
+    const std::string unit = unit_of_3mf(bytes);
+    const std::optional<double> unit_m = metres_of_3mf_unit(unit);
+    constexpr double kMillimetre = 1e-3; // the format's own choice
+    Scene scene =
+        ImportedScene(*file.scene, name, extension, folder, unit_m.value_or(kMillimetre)).make();
+    if (!unit.empty() && !unit_m)
+        scene.warnings.push_back(fmt::format(
+            "{}: the unit '{}' is none of 3MF's; millimetres are taken", name, printable(unit)));
+    return scene;
 #else
     (void)bytes;
     (void)folder;

@@ -2,6 +2,7 @@
 #include "readers/image/image_file.h"
 
 #include "readers/image/jpeg_check.h"
+#include "readers/image/picture_cache.h"
 #include "readers/image/pnm.h"
 #include "readers/image/webp.h"
 #include "io/whole_file.h"
@@ -87,18 +88,37 @@ Picture decode_stb(const std::string& name, std::span<const char> bytes)
     return picture;
 }
 
-} // namespace
-
-Picture decode_picture(const std::string& name, std::span<const char> bytes)
+Picture decode_any(const std::string& name, std::span<const char> bytes)
 {
     if (is_pnm(bytes)) return decode_pnm(name, bytes);
     if (is_webp(bytes)) return decode_webp(name, bytes);
     return decode_stb(name, bytes);
 }
 
-Texture decode_texture(const std::string& name, std::span<const char> bytes)
+} // namespace
+
+Picture decode_picture(const std::string& name, std::span<const char> bytes)
 {
-    return Texture(name, decode_picture(name, bytes));
+    PictureCache* const cache = PictureCache::current();
+    if (!cache) return decode_any(name, bytes);
+    if (const std::shared_ptr<const Picture> known = cache->find(bytes)) return *known;
+    Picture made = decode_any(name, bytes);
+    cache->add(bytes, made);
+    return made;
+}
+
+Texture decode_texture(const std::string& name, std::span<const char> bytes, Encoding encoding)
+{
+    PictureCache* const cache = PictureCache::current();
+    if (!cache) return Texture(name, decode_any(name, bytes), encoding);
+    if (const std::shared_ptr<const Texture> known = cache->find_texture(bytes, encoding)) {
+        Texture copy = *known;
+        copy.rename(name);
+        return copy;
+    }
+    Texture made(name, decode_any(name, bytes), encoding);
+    cache->add_texture(bytes, encoding, made);
+    return made;
 }
 
 Texture read_texture(const std::filesystem::path& path)

@@ -15,10 +15,11 @@ namespace firsthit {
 ///         than 2^26 texels
 Texture read_texture(const std::filesystem::path& path);
 
-/// The same for a file's bytes; `name` is for errors.
-Texture decode_texture(const std::string& name, std::span<const char> bytes);
+/// The same for a file's bytes; `name` is for errors. From the thread's PictureCache where it has one.
+Texture decode_texture(
+    const std::string& name, std::span<const char> bytes, Encoding encoding = Encoding::srgb);
 
-/// The picture alone, without smaller levels.
+/// The picture alone, without smaller levels; from the cache too.
 Picture decode_picture(const std::string& name, std::span<const char> bytes);
 
 } // namespace firsthit

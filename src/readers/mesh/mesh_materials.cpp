@@ -1,6 +1,7 @@
 // mesh_materials.cpp - the materials of a mesh file, from its libraries.
 #include "readers/mesh/mesh_materials.h"
 
+#include "readers/find_beside.h"
 #include "readers/mesh/mtl/mtl.h"
 #include "io/text_cursor.h"
 #include "io/whole_file.h"
@@ -45,6 +46,22 @@ std::vector<std::string> library_names(const std::string& line, const std::files
     return names;
 }
 
+/// A library that cannot be read costs no mesh.
+void read_library(const std::filesystem::path& path, Library& library, SceneBuilder& scene)
+{
+    Problems problems;
+    try {
+        for (MtlMaterial& mtl :
+            read_mtl(read_whole_file(path, kMaxLibrary), path.string(), problems)) {
+            const std::string key = mtl.name;
+            library.try_emplace(key, FoundMaterial{std::move(mtl), path.parent_path()});
+        }
+    } catch (const Error& error) {
+        scene.warn(fmt::format("{}; its materials are left out", error.what()));
+    }
+    for (std::string& warning : problems.lines(path.string())) scene.warn(std::move(warning));
+}
+
 /// The first definition of a name counts.
 Library read_libraries(const RawMesh& raw, const std::string& name,
     const std::filesystem::path& folder, SceneBuilder& scene)
@@ -66,14 +83,7 @@ Library read_libraries(const RawMesh& raw, const std::string& name,
                 continue;
             }
             scene.add_file(path.string());
-            Problems problems;
-            for (MtlMaterial& mtl :
-                read_mtl(read_whole_file(path, kMaxLibrary), path.string(), problems)) {
-                const std::string key = mtl.name;
-                library.try_emplace(key, FoundMaterial{std::move(mtl), path.parent_path()});
-            }
-            for (std::string& warning : problems.lines(path.string()))
-                scene.warn(std::move(warning));
+            read_library(path, library, scene);
         }
     }
     if (missing > kMostMissing)
@@ -117,7 +127,10 @@ std::vector<MtlMeshNeeds> read_materials(const RawMesh& raw, const std::string& 
         textures.set_folder(library_folder);
         scene.add_material(make_material(mtl, settings, textures, needed));
     }
-    if (missing_count > 0)
+    if (missing_count == 1)
+        scene.warn(fmt::format("{}: the material '{}' is in no library: {}", name,
+            printable(missing), settings.has_colors ? "white" : "grey"));
+    if (missing_count > 1)
         scene.warn(fmt::format("{}: {} materials are in no library ('{}' is one): {}", name,
             missing_count, printable(missing), settings.has_colors ? "white" : "grey"));
     if (clear_count > 0)

@@ -204,10 +204,12 @@ std::vector<Mesh> make_meshes(
     const bool plain =
         raw.normal.empty() && raw.uv.empty() && raw.color.empty() && raw.triangle_color.empty();
     raw.position = {};
+    const std::vector<std::uint32_t> smoothing = std::move(raw.smoothing);
     if (plain) raw = {};
 
     // Where there are only positions, a vertex is a normal, which belongs to one point.
-    SmoothNormals smooth = smooth_normals(values.position, point, crease_angle_rad, tasks);
+    SmoothNormals smooth =
+        smooth_normals(values.position, point, crease_angle_rad, tasks, smoothing);
     CornerVertices vertices;
     if (plain) {
         values.normal = std::move(smooth.normal);

@@ -66,6 +66,7 @@ void leave_out_triangles(RawMesh& mesh, const std::vector<bool>& stays)
     keep(mesh.normal_index, stays);
     keep(mesh.uv_index, stays);
     keep(mesh.triangle_color, stays);
+    keep(mesh.smoothing, stays);
     keep(mesh.index, stays);
     // Runs that became empty.
     std::vector<MeshRun> runs;

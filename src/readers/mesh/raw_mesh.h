@@ -44,6 +44,8 @@ struct RawMesh {
     std::vector<glm::uvec3> index;
     std::vector<glm::uvec3> normal_index; // into normal; empty: it is `index`
     std::vector<glm::uvec3> uv_index;     // into uv; empty: it is `index`
+    std::vector<std::uint32_t>
+        smoothing; // smoothing groups of triangles, see smooth_normals.h; may be empty
 
     std::vector<std::string> materials;      // names, in order of first use; empty: no materials
     std::vector<MeshRun> runs;               // by triangle

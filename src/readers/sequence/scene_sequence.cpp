@@ -1,6 +1,7 @@
 // scene_sequence.cpp - numbered scene files as one animation.
 #include <firsthit/sequence.h>
 
+#include "readers/image/picture_cache.h"
 #include "readers/read_scene.h"
 #include "readers/sequence/flatten.h"
 #include "readers/sequence/frame_cache.h"
@@ -71,6 +72,9 @@ struct SceneSequence::Impl {
     }
     void read_ahead(std::size_t number);
     std::shared_ptr<const Scene> scene_at(double time_s);
+    void keep_topology(std::size_t number, const FrameCache::Frame& frame);
+    std::shared_ptr<const Topology> topology_of_frame(std::size_t number);
+    bool same_triangles(double a_s, double b_s);
 
     std::string name;
     SequenceSettings settings;
@@ -87,6 +91,9 @@ struct SceneSequence::Impl {
     std::optional<std::size_t> last; // the last frame that a time was in
     std::size_t pair = 0;            // the frame where `between` begins
     std::shared_ptr<const Scene> between;
+    std::vector<std::pair<std::size_t, std::shared_ptr<const Topology>>>
+        topologies; // of the last two frames that times were in, by number
+    PictureCache pictures;
     FrameCache cache; // last: its thread uses what is above
 };
 
@@ -122,6 +129,7 @@ SceneSequence::Impl::Impl(const std::string& scene_name, SequenceSettings chosen
 /// Called by one thread at first, for the first frame; then by the caller's and the one that reads ahead.
 SequenceFrame SceneSequence::Impl::read(std::size_t number)
 {
+    const PictureCache::Use use_pictures(pictures);
     std::vector<glm::uvec3> corners;
     Scene scene = read_scene(files[number], settings.load, &corners);
     flatten(scene);
@@ -147,7 +155,7 @@ SequenceFrame SceneSequence::Impl::read(std::size_t number)
         settings.change(scene);
     }
     SequenceFrame frame;
-    frame.topology = topology_of(scene, std::move(corners));
+    frame.topology = std::make_shared<const Topology>(topology_of(scene, std::move(corners)));
     frame.scene = std::make_shared<const Scene>(std::move(scene));
     return frame;
 }
@@ -185,6 +193,7 @@ std::shared_ptr<const Scene> SceneSequence::Impl::scene_at(double time_s)
     if (!place.between) {
         if (place.frame != pair && place.frame != pair + 1) between.reset(); // its frames too
         const FrameCache::Frame frame = cache.frame(place.frame);
+        keep_topology(place.frame, frame);
         read_ahead(place.frame);
         return frame->scene;
     }
@@ -196,13 +205,39 @@ std::shared_ptr<const Scene> SceneSequence::Impl::scene_at(double time_s)
     if (!cache.has(place.frame)) cache.read_ahead(place.frame + 1);
     const FrameCache::Frame a = cache.frame(place.frame);
     const FrameCache::Frame b = cache.frame(place.frame + 1);
+    keep_topology(place.frame, a);
     read_ahead(place.frame);
-    const std::optional<CornerMap> map = match(a->topology, b->topology);
+    const std::optional<CornerMap> map = match(*a->topology, *b->topology);
     between = map ? std::make_shared<const Scene>(scene_between(
                         *a, *b, *map, this->time_s(place.frame), this->time_s(place.frame + 1)))
                   : a->scene;
     pair = place.frame;
     return between;
+}
+
+void SceneSequence::Impl::keep_topology(std::size_t number, const FrameCache::Frame& frame)
+{
+    for (const auto& [known, topology] : topologies)
+        if (known == number) return;
+    if (topologies.size() == 2) topologies.erase(topologies.begin());
+    topologies.emplace_back(number, frame->topology);
+}
+
+/// Reads the frame again only where it is not one of the last two.
+std::shared_ptr<const Topology> SceneSequence::Impl::topology_of_frame(std::size_t number)
+{
+    for (const auto& [known, topology] : topologies)
+        if (known == number) return topology;
+    return cache.frame(number)->topology;
+}
+
+bool SceneSequence::Impl::same_triangles(double a_s, double b_s)
+{
+    const std::lock_guard one_at_a_time(use);
+    const std::size_t a = place_of(a_s).frame, b = place_of(b_s).frame;
+    if (a == b) return true;
+    const std::optional<CornerMap> map = match(*topology_of_frame(a), *topology_of_frame(b));
+    return map && map->corner.empty();
 }
 
 SceneSequence::SceneSequence(const std::string& name, const SequenceSettings& settings)
@@ -223,6 +258,13 @@ std::shared_ptr<const Scene> SceneSequence::scene_at(double time_s)
     if (!std::isfinite(time_s))
         throw ArgumentError(impl_->name + ": the time of a scene must be a finite number");
     return impl_->single ? impl_->single : impl_->scene_at(time_s);
+}
+
+bool SceneSequence::same_triangles(double a_s, double b_s)
+{
+    if (!std::isfinite(a_s) || !std::isfinite(b_s))
+        throw ArgumentError(impl_->name + ": the time of a scene must be a finite number");
+    return impl_->single || impl_->same_triangles(a_s, b_s);
 }
 
 std::shared_ptr<const Scene> SceneSequence::frame(std::size_t number)
@@ -269,7 +311,7 @@ SequenceSummary SceneSequence::summary()
 {
     const std::lock_guard one_at_a_time(impl_->use);
     SequenceSummary sum;
-    Topology topology; // of the frame before
+    std::shared_ptr<const Topology> topology; // of the frame before
     for (std::size_t k = 0; k < frames(); ++k) {
         FrameCache::Frame frame;
         if (!impl_->single) {
@@ -289,7 +331,7 @@ SequenceSummary SceneSequence::summary()
                             : std::array<glm::vec3, 2>{
                                   glm::min(sum.bounds[0], box[0]), glm::max(sum.bounds[1], box[1])};
         if (!frame) break;
-        if (k > 0 && !match(topology, frame->topology)) sum.new_topology.push_back(k);
+        if (k > 0 && !match(*topology, *frame->topology)) sum.new_topology.push_back(k);
         topology = frame->topology;
     }
     return sum;

@@ -12,13 +12,13 @@ namespace firsthit {
 /// A frame as it was read.
 struct SequenceFrame {
     std::shared_ptr<const Scene> scene; // flat (see flatten.h)
-    Topology topology;
+    std::shared_ptr<const Topology> topology;
 };
 
 /// A scene that is frame `a` at time a_s, frame `b` at time b_s, and between them interpolated: see
 /// SceneSequence. Corners that are the same vertex in both are one. It shares the scenes of both frames.
 ///
-/// map  match(a.topology, b.topology)
+/// map  match(*a.topology, *b.topology)
 Scene scene_between(
     const SequenceFrame& a, const SequenceFrame& b, const CornerMap& map, double a_s, double b_s);
 

@@ -62,11 +62,12 @@ struct EdgeEnd {
 class CornerGroups {
   public:
     CornerGroups(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
-        std::span<const Facet> facet, double least_cosine)
+        std::span<const Facet> facet, double least_cosine, std::span<const std::uint32_t> group)
         : position_(position),
           index_(index),
           facet_(facet),
-          least_cosine_(least_cosine)
+          least_cosine_(least_cosine),
+          group_(group)
     {
     }
 
@@ -149,8 +150,18 @@ class CornerGroups {
     bool pass_into(std::uint32_t a, std::uint32_t b) const
     {
         const double lengths = facet_of_[a]->length * facet_of_[b]->length;
+        if (!group_.empty()) {
+            const std::uint32_t one = group_of(a), other = group_of(b);
+            if (one != other || one == 0) return false;
+            if (one != kNoSmoothingGroup) return lengths > 0;
+        }
         return lengths > 0 &&
                glm::dot(facet_of_[a]->cross, facet_of_[b]->cross) >= least_cosine_ * lengths;
+    }
+
+    std::uint32_t group_of(std::uint32_t i) const
+    {
+        return group_[static_cast<std::size_t>(facet_of_[i] - facet_.data())];
     }
 
     /// The lower number becomes the root, so that the result does not depend on the order.
@@ -170,6 +181,7 @@ class CornerGroups {
     std::span<const glm::uvec3> index_;
     std::span<const Facet> facet_;
     double least_cosine_;
+    std::span<const std::uint32_t> group_;    // (T) or empty
     std::vector<EdgeEnd> leaving_, arriving_; // sorted
     std::vector<std::uint32_t> parent_;
     std::vector<const Facet*> facet_of_;
@@ -220,7 +232,7 @@ class NormalMaker {
         return made;
     }
 
-    SmoothNormals with_creases(double crease_angle_rad)
+    SmoothNormals with_creases(double crease_angle_rad, std::span<const std::uint32_t> group)
     {
         const Buffer<Facet> facet = facets(position_, index_, tasks_);
         const double least_cosine = std::cos(crease_angle_rad);
@@ -231,7 +243,7 @@ class NormalMaker {
         resize_in_large_pages(made.corner, 3 * index_.size());
         std::vector<std::vector<glm::vec3>> normal(ranges);
         tasks_.for_ranges(position_.size(), kGrain, [&](std::size_t first, std::size_t last) {
-            CornerGroups groups(position_, index_, facet.span(), least_cosine);
+            CornerGroups groups(position_, index_, facet.span(), least_cosine, group);
             std::vector<glm::vec3>& normals = normal[first / kGrain];
             std::vector<glm::dvec3> sum;
             for (std::size_t p = first; p < last; ++p) {
@@ -288,12 +300,13 @@ class NormalMaker {
 } // namespace
 
 SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
-    double crease_angle_rad, Tasks& tasks)
+    double crease_angle_rad, Tasks& tasks, std::span<const std::uint32_t> group)
 {
     NormalMaker maker(position, index, tasks);
     // Written so that an angle that is no number is smooth too.
-    if (!(crease_angle_rad < std::numbers::pi)) return maker.all_smooth();
-    return maker.with_creases(std::max(0.0, crease_angle_rad));
+    const bool smooth = !(crease_angle_rad < std::numbers::pi);
+    if (smooth && group.empty()) return maker.all_smooth();
+    return maker.with_creases(smooth ? std::numbers::pi : std::max(0.0, crease_angle_rad), group);
 }
 
 SmoothNormals smooth_normals(

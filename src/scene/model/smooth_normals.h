@@ -11,6 +11,9 @@
 
 namespace firsthit {
 
+/// Of a triangle that has no smoothing group: the angle decides.
+inline constexpr std::uint32_t kNoSmoothingGroup = 0xFFFFFFFFu;
+
 struct SmoothNormals {
     std::vector<glm::vec3> normal;     // unit
     std::vector<std::uint32_t> corner; // (3 T) number of each triangle corner's normal
@@ -28,10 +31,13 @@ struct SmoothNormals {
 /// position         of each point; points are distinct
 /// index            of each triangle's corners into position
 /// crease_angle_rad 0 (flat) to pi (smooth)
+/// group            (T) or empty: smoothing groups as OBJ has them. Triangles of one group pass into one
+///                  another whatever their angle, those of different groups do not, and those of
+///                  group 0 into none; kNoSmoothingGroup is a group of its own, in which the angle decides
 /// source           Max 1999, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2):
 ///                  the weights that are right on a sphere
 SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,
-    double crease_angle_rad, Tasks& tasks);
+    double crease_angle_rad, Tasks& tasks, std::span<const std::uint32_t> group = {});
 
 /// The same on one thread.
 SmoothNormals smooth_normals(std::span<const glm::vec3> position, std::span<const glm::uvec3> index,

@@ -26,6 +26,26 @@ TEST(Nff, LeavesOutSpareNumbersOfMaterials)
         kNumbered + "spare numbers of materials are left out (first at line 1, 3 times)");
 }
 
+TEST(Nff, LeavesOutPolygonsThatCannotBeShown)
+{
+    const Scene scene = scene_of("p 2\n0 0 0\n1 0 0\np 1\n0 0 0\n" + kTriangle);
+    EXPECT_EQ(scene.triangle_count(), 1u);
+    EXPECT_EQ(warning_of(scene), kNumbered + "polygons with fewer than 3 corners are left out "
+                                             "(first at line 3, 2 times)");
+    for (const char* word : {"nan", "-nan(ind)", "inf", "1e40"}) {
+        const Scene rest =
+            scene_of("p 3\n0 0 0\n1 0 " + std::string(word) + "\n0 1 0\n" + kTriangle);
+        EXPECT_EQ(rest.triangle_count(), 1u) << word;
+        EXPECT_NE(
+            warning_of(rest).find("polygons with a corner that is no finite float are left out"),
+            std::string::npos)
+            << word;
+    }
+    const Scene normals = scene_of("pp 3 0 0 0 nan 0 0 1 0 0 0 0 1 0 1 0 0 0 1");
+    EXPECT_EQ(normals.triangle_count(), 1u);
+    for (const glm::vec3& normal : normals.normal) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+}
+
 TEST(Nff, LeavesOutTexturesOfMaterials)
 {
     const Scene scene = scene_of("f 1 0 0 0.8 0.2 30 0 1 earth.jpg\n" + kTriangle);

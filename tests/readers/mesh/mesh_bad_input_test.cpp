@@ -154,7 +154,8 @@ TEST(MeshBadInput, RefusesBrokenPlyHeaders)
     expect_in(error("ply\nelement vertex 1\n" + xyz + list + end), "no 'format'");
     expect_in(error(header("element vertex 1\n")), "no 'end_header'");
     expect_in(error(header("element vertex many\n")), "'many', a whole number");
-    expect_in(error(header("element vertex 1\nproperty real x\n")), "'real' is no type");
+    const std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n";
+    expect_in(error(binary + "property real x\n"), "'real' is no type");
     expect_in(error(header("property float x\n")), "before any element");
     expect_in(
         error(header("element vertex 1\nproperty float x\n" + list + end)), "no property 'y'");
@@ -162,8 +163,7 @@ TEST(MeshBadInput, RefusesBrokenPlyHeaders)
     expect_in(error(header("element vertex 1\n" + xyz + end)), "cloud of 1 points");
     expect_in(error(header("element vertex 1\n" + xyz + "element face 1\nproperty int a\n" + end)),
         "no list 'vertex_indices'");
-    expect_in(error(header("element vertex 1\n" + xyz +
-                           "element face 1\nproperty list float int vertex_index\n" + end)),
+    expect_in(error(binary + xyz + "element face 1\nproperty list float int vertex_index\n" + end),
         "the length of a list must be a whole number");
     expect_in(error(header("element vertex 1\nproperty list uchar float x\nproperty float y\n"
                            "property float z\n" +

@@ -4,6 +4,8 @@
 #include "scene/model/default_material.h"
 #include "temporary_folder.h"
 
+#include <algorithm>
+
 namespace firsthit::test {
 namespace {
 
@@ -69,7 +71,7 @@ TEST_F(MtlScene, MissingMaterialsAreWhiteWhereVerticesHaveColours)
         "b.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nusemtl green\nf 1 2 3\n");
     const Scene scene = read_mesh_file(path, {});
     ASSERT_EQ(scene.warnings.size(), 1u);
-    expect_in(scene.warnings[0], "('green' is one): white");
+    expect_in(scene.warnings[0], "the material 'green' is in no library: white");
     EXPECT_EQ(std::get<Phong>(material(scene).model).diffuse, glm::vec3(1));
 }
 
@@ -83,6 +85,30 @@ TEST_F(MtlScene, AMissingTextureGivesOneWarningAndAPlainColour)
     EXPECT_EQ(std::get<Phong>(scene.materials[0].model).texture, -1);
     EXPECT_EQ(std::get<Phong>(scene.materials[0].model).diffuse, glm::vec3(1, 0, 0));
     EXPECT_EQ(scene.materials[1].alpha, AlphaMode::opaque);
+}
+
+TEST_F(MtlScene, ALibraryThatCannotBeReadCostsNoMesh)
+{
+    const Scene scene = read(std::string("\xFF\xFEn\0e\0w\0", 8));
+    EXPECT_EQ(scene.triangle_count(), 1u);
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    expect_in(scene.warnings[0], "m.mtl: the text is UTF-16");
+    expect_in(scene.warnings[0], "its materials are left out");
+    expect_in(scene.warnings[1], "a.obj: the material 'a' is in no library: grey");
+}
+
+TEST_F(MtlScene, FindsNamesInAnyCase)
+{
+    std::filesystem::create_directory(folder_.path() / "Maps");
+    folder_.write("Maps/Grey.PGM", picture("\x80\x80\x80\x80"));
+    folder_.write("LIB.MTL", "newmtl a\nmap_Kd maps\\grey.pgm\n");
+    const auto path = folder_.write(
+        "b.obj", "mtllib C:\\work\\lib.mtl\n" + kTexturedTriangle + "usemtl a\n" + kFace);
+    const Scene scene = read_mesh_file(path, {});
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(scene.textures.size(), 1u);
+    const std::string picture_file = (folder_.path() / "Maps" / "Grey.PGM").string();
+    EXPECT_EQ(std::count(scene.files.begin(), scene.files.end(), picture_file), 1);
 }
 
 TEST_F(MtlScene, FaultsOfALibraryAreWarningsThatNameIt)

@@ -89,7 +89,7 @@ TEST(Mtl, ReadsTheExtensionForPhysicallyBasedShading)
     EXPECT_EQ(a.normal_map.strength, 0.5f);
     EXPECT_TRUE(a.is_physical());
     EXPECT_FALSE(
-        read_sound("newmtl a\nKd 1 1 1\nKe 1 1 1\nmap_bump b.png\nd 0.5\n")[0].is_physical());
+        read_sound("newmtl a\nKd 1 1 1\nKe 1 1 1\nmap_Ka b.png\nd 0.5\n")[0].is_physical());
     EXPECT_FALSE(read_sound("newmtl a\nKe 0 0 0\nmap_Kd b.png\n")[0].is_physical());
     EXPECT_TRUE(read_sound("newmtl a\nKe 1 0 0\nmap_Kd b.png\n")[0].is_physical());
 }
@@ -138,6 +138,22 @@ TEST(Mtl, ReadsCommasInNumbers)
         EXPECT_EQ(
             read_faulty("newmtl a\n" + std::string(line) + "\n", "commas in numbers").phong.diffuse,
             glm::vec3(0.5f, 0.25f, 1));
+}
+
+TEST(Mtl, TellsOfUnknownStatementsAndOfPicturesThatAreNotShown)
+{
+    read_faulty("newmtl a\nfoo 1\nFoo 2\n",
+        "m.mtl: unknown statements 'foo' are left out (first at line 2, 2 times)");
+    read_faulty("newmtl a\nmap_Bump -bm 1 b.png\n",
+        "m.mtl: pictures of 'map_bump' are not shown (first at line 2)");
+    read_sound("newmtl a\nillum 2\nTf 1 1 1\nsharpness 60\nmap_Ka a.png\nPs 0\naniso 0\n");
+    Problems problems;
+    std::string text = "newmtl a\n";
+    for (int k = 0; k < 100; ++k) text += "x" + std::to_string(k) + " 1\n";
+    read_mtl(text, "m.mtl", problems);
+    ASSERT_EQ(problems.lines("m.mtl").size(), 9u);
+    expect_in(
+        problems.lines("m.mtl")[8], "other unknown statements are left out (first at line 10, 92");
 }
 
 TEST(Mtl, LeavesOutWhatStandsBeforeTheFirstMaterial)

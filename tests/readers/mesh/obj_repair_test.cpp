@@ -59,6 +59,25 @@ TEST(ObjRepair, ListsOnlyTheFirstKindsOfUnknownStatements)
         scene.warnings[8], "other unknown statements are left out (first at line 14, 992 times)");
 }
 
+TEST(ObjRepair, ReadsStatementsInCapitalsAndIndicesWithAPoint)
+{
+    const Scene capitals =
+        read_silently("V 0 0 0\nV 1 0 0\nV 0 1 0\nVT 0.5 0\nVN 0 0 1\nF 1/1/1 2/1/1 3/1/1\n");
+    EXPECT_EQ(capitals.uv.at(0), glm::vec2(0.5f, 0));
+    EXPECT_EQ(
+        read_silently(kCorners + "vt 0.5 0\nf 1.000000/1.0 2.0/1 -2.0 4.000\n").triangle_count(),
+        2u);
+    for (const char* index : {"1.5", "1.", "1.0e0", "1.0x"})
+        expect_in(error_of<FileError>(kCorners + "f " + index + " 2 3\n", ".obj"),
+            "a whole number is needed");
+}
+
+TEST(ObjRepair, SaysWhyNoTriangleIsLeft)
+{
+    expect_in(error_of<FileError>("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ".obj"),
+        "no triangles in it: all have a corner that is no finite float");
+}
+
 TEST(ObjRepair, ReadsFacesThatStandBeforeTheirVertices)
 {
     const Scene scene =

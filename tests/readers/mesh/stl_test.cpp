@@ -97,6 +97,18 @@ TEST(Stl, ForgivesTexts)
             "facet normal 1 0 0 outer loop vertex -nan(ind) 0 0 vertex 1 0 0 vertex 1.#QNAN 1 0 "
             "endloop endfacet\nendsolid\n"),
         "triangles with a corner that is no finite float are left out (first at triangle 1)");
+    expect_in(warning("; made by hand\n" + ("solid\n" + facet(0)) + "endsolid\n"),
+        "unknown words are left out (first at byte");
+    const Scene commas =
+        read("solid\nfacet outer loop vertex 0,5 0 0 vertex 1,25 0 0 vertex 0 1 0 endloop "
+             "endfacet endsolid\n",
+            ".stl");
+    EXPECT_EQ(corner(commas, 0, 1), glm::vec3(1.25f, 0, 0));
+    expect_in(warning_of(commas), "commas in numbers are decimal points (first at byte");
+    // A name may have any words.
+    EXPECT_TRUE(
+        read("solid my solid vertex 1\n" + facet(0) + "endsolid my solid vertex 1\n", ".stl")
+            .warnings.empty());
     // Normals are not used, whatever they are.
     EXPECT_TRUE(read(
         "solid\nfacet normal -nan(ind) x 1e999 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 "

@@ -5,6 +5,7 @@
 #include "readers/mesh/mtl/mtl.h"
 
 #include "io/parse_number.h"
+#include "io/text_cursor.h"
 #include "readers/mesh/obj/obj_lines.h"
 
 #include <firsthit/error.h>
@@ -15,6 +16,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace firsthit {
@@ -22,6 +25,17 @@ namespace {
 
 /// A guard: a material takes 100 times as much memory as the shortest text of one.
 constexpr std::size_t kMostMaterials = std::size_t(1) << 18;
+
+/// Pictures that our models lack a place for, and whose lack is seen.
+constexpr auto kNotShown = std::to_array<std::string_view>({"bump", "map_bump", "disp", "map_disp",
+    "decal", "refl", "map_refl", "map_ks", "map_ns", "map_ps", "map_rma", "map_orm"});
+
+/// What other models have, and what says how to render. The ambient colour takes the picture of the diffuse one.
+constexpr auto kMtlIgnored = std::to_array<std::string_view>(
+    {"illum", "tf", "sharpness", "km", "map_ka", "map_aat", "ps", "pc", "pcr", "aniso", "anisor"});
+
+/// Kinds of unknown statements that are told of by name.
+constexpr std::size_t kMostUnknownWords = 8;
 
 class MtlReader {
   public:
@@ -135,7 +149,21 @@ class MtlReader {
             *map = read_mtl_map(text_);
             if (map->bad_number)
                 add_problem("options whose numbers are missing or not finite are left out");
+            return;
         }
+        if (std::find(kNotShown.begin(), kNotShown.end(), word) != kNotShown.end())
+            add_problem(fmt::format("pictures of '{}' are not shown", word));
+        else if (std::find(kMtlIgnored.begin(), kMtlIgnored.end(), word) == kMtlIgnored.end())
+            add_unknown(word);
+    }
+
+    void add_unknown(const std::string& word)
+    {
+        if (unknown_.size() < kMostUnknownWords) unknown_.emplace(word);
+        if (unknown_.count(word) > 0)
+            add_problem(fmt::format("unknown statements '{}' are left out", printable(word)));
+        else
+            add_problem("other unknown statements are left out");
     }
 
     /// What is known when all of a material's statements have been read.
@@ -189,6 +217,7 @@ class MtlReader {
     std::vector<MtlMaterial> materials_;
     bool has_ambient_ = false; // the last material
     std::optional<float> opacity_, transparency_;
+    std::set<std::string> unknown_; // statements
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "readers/mesh/mtl/mtl_textures.h"
 
 #include "io/whole_file.h"
+#include "readers/find_beside.h"
 #include "readers/image/image_file.h"
 
 #include <firsthit/error.h>
@@ -65,14 +66,6 @@ bool make_opacity(Picture& picture, char from)
 
 } // namespace
 
-std::filesystem::path find_beside(const std::filesystem::path& folder, const std::string& file)
-{
-    std::filesystem::path given = folder / file;
-    if (is_file(given)) return given;
-    std::filesystem::path bare = folder / file.substr(file.find_last_of("/\\:") + 1);
-    return is_file(bare) ? bare : given;
-}
-
 std::string MtlTextures::key_of(const MtlMap& map) const
 {
     return find_beside(folder_, map.file).string() + (map.clamp ? "|clamp" : "|repeat");
@@ -85,23 +78,36 @@ std::int32_t MtlTextures::once(const std::string& key, const std::function<std::
     return found->second;
 }
 
-std::optional<Picture> MtlTextures::read(const MtlMap& map)
+void MtlTextures::read_file(const MtlMap& map,
+    const std::function<void(const std::string& path, const std::string& bytes)>& decode)
 {
     const std::filesystem::path path = find_beside(folder_, map.file);
-    if (failed_.count(path.string()) > 0) return {};
+    if (failed_.count(path.string()) > 0) return;
     if (is_file(path)) scene_.add_file(path.string());
     try {
-        return decode_picture(path.string(), read_whole_file(path));
+        decode(path.string(), read_whole_file(path));
     } catch (const Error& error) {
         scene_.warn(fmt::format("{}; a plain colour is used", error.what()));
         failed_[path.string()] = true;
-        return {};
     }
+}
+
+std::optional<Picture> MtlTextures::read(const MtlMap& map)
+{
+    std::optional<Picture> picture;
+    read_file(map, [&](const std::string& path, const std::string& bytes) {
+        picture = decode_picture(path, bytes);
+    });
+    return picture;
 }
 
 std::int32_t MtlTextures::add(const MtlMap& map, const Picture& picture, Encoding encoding)
 {
-    Texture texture(find_beside(folder_, map.file).string(), picture, encoding);
+    return add(map, Texture(find_beside(folder_, map.file).string(), picture, encoding));
+}
+
+std::int32_t MtlTextures::add(const MtlMap& map, Texture texture)
+{
     if (map.clamp) texture.set_sampler({.wrap_u = Wrap::clamp, .wrap_v = Wrap::clamp});
     return static_cast<std::int32_t>(scene_.add_texture(std::move(texture)));
 }
@@ -110,8 +116,11 @@ std::int32_t MtlTextures::number(const MtlMap& map, Encoding encoding)
 {
     if (!map) return -1;
     return once((encoding == Encoding::srgb ? "colour|" : "data|") + key_of(map), [&] {
-        const std::optional<Picture> picture = read(map);
-        return picture ? add(map, *picture, encoding) : -1;
+        std::optional<Texture> texture;
+        read_file(map, [&](const std::string& path, const std::string& bytes) {
+            texture = decode_texture(path, bytes, encoding);
+        });
+        return texture ? add(map, std::move(*texture)) : -1;
     });
 }
 

@@ -14,10 +14,6 @@
 
 namespace firsthit {
 
-/// The file that a name means: as it is given, in a folder unless it is absolute; else its bare name in that
-/// folder, as names often come from another computer. Where neither exists it is the first.
-std::filesystem::path find_beside(const std::filesystem::path& folder, const std::string& file);
-
 /// Makes each texture once. Where a picture cannot be had the scene gets a warning, and the texture's number is
 /// -1: none.
 class MtlTextures {
@@ -43,8 +39,12 @@ class MtlTextures {
     std::int32_t metallic_roughness(const MtlMap& roughness, const MtlMap& metallic);
 
   private:
+    /// Warns where the file cannot be read or decoded, once.
+    void read_file(const MtlMap& map,
+        const std::function<void(const std::string& path, const std::string& bytes)>& decode);
     std::optional<Picture> read(const MtlMap& map);
     std::int32_t add(const MtlMap& map, const Picture& picture, Encoding encoding);
+    std::int32_t add(const MtlMap& map, Texture texture);
     std::int32_t once(const std::string& key, const std::function<std::int32_t()>& make);
     std::string key_of(const MtlMap& map) const;
 

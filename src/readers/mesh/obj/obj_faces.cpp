@@ -34,8 +34,17 @@ void ObjFaces::add(std::span<const ObjCorner> corner, std::size_t line)
         has_normal_ |= c.normal != kNone;
     }
     corner_.insert(corner_.end(), corner.begin(), corner.end());
+    if (!smoothing_.empty() || group_ != kNoSmoothingGroup) {
+        smoothing_.resize(end_.size(), kNoSmoothingGroup);
+        smoothing_.push_back(group_);
+    }
     end_.push_back(static_cast<std::uint32_t>(corner_.size()));
     line_.push_back(static_cast<std::uint32_t>(line));
+}
+
+void ObjFaces::set_smoothing(std::uint32_t group)
+{
+    group_ = group;
 }
 
 /// Makes the triangles of one face after the other.
@@ -117,6 +126,7 @@ class ObjFaces::Maker {
             return;
         }
         mesh_.index.emplace_back(a.vertex, b.vertex, c.vertex);
+        if (!faces_.smoothing_.empty()) mesh_.smoothing.push_back(faces_.smoothing_[face]);
         if (has_uv_)
             mesh_.uv_index.emplace_back(
                 std::min(a.uv, uvs_), std::min(b.uv, uvs_), std::min(c.uv, uvs_));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "readers/mesh/raw_mesh.h"
+#include "scene/model/smooth_normals.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,9 @@ class ObjFaces {
     /// line    of the file
     void add(std::span<const ObjCorner> corner, std::size_t line);
 
+    /// The smoothing group of the faces that follow, as smooth_normals.h has them.
+    void set_smoothing(std::uint32_t group);
+
     std::size_t count() const { return end_.size(); }
 
     /// Fills the mesh's triangles from its positions, normals and texture coordinates, to each of which a zero
@@ -44,11 +48,13 @@ class ObjFaces {
     std::size_t begin(std::size_t face) const { return face > 0 ? end_[face - 1] : 0; }
 
     std::vector<ObjCorner> corner_;
-    std::vector<std::uint32_t> end_;  // (faces) in corner_
-    std::vector<std::uint32_t> line_; // (faces)
-    std::uint32_t last_vertex_ = 0;   // the greatest that corners name
-    bool has_uv_ = false;             // a corner has
+    std::vector<std::uint32_t> end_;       // (faces) in corner_
+    std::vector<std::uint32_t> line_;      // (faces)
+    std::vector<std::uint32_t> smoothing_; // (faces) or empty: none has a group
+    std::uint32_t last_vertex_ = 0;        // the greatest that corners name
+    bool has_uv_ = false;                  // a corner has
     bool has_normal_ = false;
+    std::uint32_t group_ = kNoSmoothingGroup; // of the next face
 };
 
 } // namespace firsthit

@@ -25,13 +25,15 @@
 namespace firsthit {
 namespace {
 
-// Statements that change nothing that is shown: smoothing, display, the data of free-form geometry.
-constexpr auto kIgnored = std::to_array<std::string_view>({"s", "mg", "maplib", "usemap",
-    "shadow_obj", "trace_obj", "bevel", "c_interp", "d_interp", "lod", "vp", "cstype", "deg",
-    "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end", "con", "ctech", "stech"});
+// Statements that change nothing that is shown: display, the data of free-form geometry.
+constexpr auto kIgnored = std::to_array<std::string_view>({"mg", "maplib", "usemap", "shadow_obj",
+    "trace_obj", "bevel", "c_interp", "d_interp", "lod", "vp", "cstype", "deg", "bmat", "step",
+    "parm", "trim", "hole", "scrv", "sp", "end", "con", "ctech", "stech"});
 
 constexpr auto kFreeForm =
     std::to_array<std::string_view>({"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "res"});
+
+constexpr auto kUpperCase = std::to_array<std::string_view>({"V", "VN", "VT", "F"});
 
 /// Runs that have names. Each is an instance, which takes about a kilobyte.
 constexpr std::size_t kMostNamedRuns = 65536;
@@ -59,6 +61,10 @@ class ObjReader {
             throw FileError(fmt::format(
                 "{}: no triangles in it: {} vertices and no faces", name_, mesh_.position.size()));
         const std::vector<std::size_t> first_triangle = faces_.make_triangles(mesh_, name_);
+        if (mesh_.index.empty())
+            throw FileError(fmt::format("{}: no triangles in it: all have a corner that is no "
+                                        "finite float",
+                name_));
         check_triangle_count(mesh_.index.size(), name_);
         add_runs(first_triangle);
         colors_.finish(mesh_);
@@ -101,12 +107,16 @@ class ObjReader {
             is_new_run_ = true;
         } else if (word == "mtllib") {
             mesh_.material_files.emplace_back(rest);
+        } else if (word == "s") {
+            read_smoothing(rest);
         } else if (word == "p" || word == "l") {
             add_problem("points and lines are left out");
         } else if (is_one_of(word, kFreeForm)) {
             add_problem("free-form curves and surfaces are left out");
         } else if (word == "call" || word == "csh") {
             add_problem("'call' and 'csh' are not followed");
+        } else if (is_one_of(word, kUpperCase)) {
+            read_upper_case(word, rest);
         } else if (!is_one_of(word, kIgnored)) {
             if (unknown_.size() < kMostUnknown) unknown_.emplace(word);
             if (unknown_.count(std::string(word)) > 0)
@@ -114,6 +124,34 @@ class ObjReader {
             else
                 add_problem("other unknown statements are left out");
         }
+    }
+
+    /// "off" or a number. What is neither ends the group before it.
+    void read_smoothing(std::string_view rest)
+    {
+        const std::string_view word = take_obj_word(rest);
+        std::uint32_t group = 0;
+        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), group);
+        if (word == "on") {
+            group = 1;
+        } else if (error != std::errc() && word != "off") {
+            add_problem("smoothing groups that are neither a number nor off are left out");
+            group = kNoSmoothingGroup;
+        }
+        faces_.set_smoothing(group);
+    }
+
+    /// Statements in capital letters, as few programs write them.
+    void read_upper_case(std::string_view word, std::string_view rest)
+    {
+        if (word == "V")
+            read_vertex(rest);
+        else if (word == "VN")
+            read_normal(rest);
+        else if (word == "VT")
+            read_uv(rest);
+        else
+            read_face(rest);
     }
 
     void read_comment(std::string_view word, std::string_view rest)
@@ -251,6 +289,9 @@ class ObjReader {
         if (end - at > 1 && *at == '+' && at[1] != '-') ++at;
         const auto [stop, error] = std::from_chars(at, end, index);
         at = stop;
+        // Programs that print all numbers alike write "1.000000".
+        if (error == std::errc() && end - at > 1 && *at == '.' && at[1] == '0')
+            for (++at; at < end && *at == '0';) ++at;
         return error == std::errc();
     }
 

@@ -38,11 +38,21 @@ constexpr std::size_t kMaxProperties = 256;
 
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 
-PlyType read_type(TextCursor& text)
+/// Reads the types of a header's properties.
+struct PlyTypes {
+    bool is_text; // numbers are words, whatever their types are
+    Problems& problems;
+};
+
+PlyType read_type(TextCursor& text, const PlyTypes& types)
 {
     const std::string_view word = text.next_word();
     for (std::size_t t = 0; t < kTypes.size(); ++t)
         if (word == kTypes[t].name || word == kTypes[t].sized) return static_cast<PlyType>(t);
+    if (types.is_text && !word.empty()) {
+        types.problems.add("values of unknown types are taken for numbers", "line", text.line());
+        return PlyType::float32;
+    }
     text.fail(fmt::format("'{}' is no type; accepted are char, uchar, short, ushort, int, uint, "
                           "float, double",
         printable(word)));
@@ -72,18 +82,18 @@ PlyElement read_element(TextCursor& text)
     return element;
 }
 
-PlyProperty read_property(TextCursor& text)
+PlyProperty read_property(TextCursor& text, const PlyTypes& types)
 {
     PlyProperty property;
     TextCursor ahead = text;
     property.is_list = ahead.next_word() == "list";
     if (property.is_list) {
         text.next_word();
-        property.count_type = read_type(text);
-        if (!is_whole(property.count_type))
+        property.count_type = read_type(text, types);
+        if (!types.is_text && !is_whole(property.count_type))
             text.fail("the length of a list must be a whole number");
     }
-    property.type = read_type(text);
+    property.type = read_type(text, types);
     property.name = text.next_word();
     if (property.name.empty()) text.fail("a property has no name");
     return property;
@@ -142,19 +152,19 @@ void use_face(PlyElement& face, PlyElement::Kind kind, const TextCursor& text)
     use_color(face);
 }
 
-void add_property(PlyElement& element, TextCursor& text, Problems& problems)
+void add_property(PlyElement& element, TextCursor& text, const PlyTypes& types)
 {
     if (element.properties.size() == kMaxProperties)
         text.fail(fmt::format("more than {} properties", kMaxProperties));
-    PlyProperty property = read_property(text);
+    PlyProperty property = read_property(text, types);
     if (std::any_of(element.properties.begin(), element.properties.end(),
             [&](const PlyProperty& other) { return other.name == property.name; }))
-        problems.add("of properties of the same name the first is used", "line", text.line());
+        types.problems.add("of properties of the same name the first is used", "line", text.line());
     element.properties.push_back(std::move(property));
 }
 
 /// Gives the elements that are used their kinds, and the properties their roles.
-void choose_elements(PlyHeader& header, const TextCursor& text)
+void choose_elements(PlyHeader& header, const TextCursor& text, Problems& problems)
 {
     bool vertex = false, faces = false, strips = false;
     for (PlyElement& element : header.elements) {
@@ -164,6 +174,9 @@ void choose_elements(PlyHeader& header, const TextCursor& text)
             use_face(element, PlyElement::Kind::faces, text);
         else if (element.name == "tristrips" && element.count > 0 && !std::exchange(strips, true))
             use_face(element, PlyElement::Kind::strips, text);
+        else if (element.count > 0 && (element.name == "vertex" || element.name == "face" ||
+                                          element.name == "tristrips"))
+            problems.add("of elements of the same name the first is used");
     }
     if (!vertex) text.fail("there is no element 'vertex'");
 }
@@ -226,7 +239,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name, Probl
 {
     const std::size_t start = bytes.substr(0, kBom.size()) == kBom ? kBom.size() : 0;
     TextCursor text(bytes.substr(start), name);
-    if (!text.next_line() || text.next_word() != "ply")
+    if (!text.next_line() || (text.next_word() != "ply" && text.word() != "PLY"))
         throw FileError(fmt::format("{}: no PLY file: its first line is not 'ply'", name));
     // Lines that end with CR alone: a line feed behind the last one is data.
     const bool lone_cr = bytes[start + text.consumed() - 1] == '\r';
@@ -250,7 +263,8 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name, Probl
             header.elements.push_back(read_element(text));
         } else if (word == "property") {
             if (header.elements.empty()) text.fail("a property stands before any element");
-            add_property(header.elements.back(), text, problems);
+            add_property(header.elements.back(), text,
+                {format_known && header.format == PlyFormat::ascii, problems});
         } else if (word == "end_header") {
             in_header = false;
         } else {
@@ -264,7 +278,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name, Probl
     if (lone_cr && bytes[header.size - 1] == '\n') --header.size;
     header.lines = text.line();
     if (!format_known) text.fail("the header has no 'format'");
-    choose_elements(header, text);
+    choose_elements(header, text, problems);
     return header;
 }
 

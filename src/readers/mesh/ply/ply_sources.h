@@ -154,7 +154,10 @@ class PlyWords {
     float number(PlyType)
     {
         if (!text_.has_word()) throw PlyFileEnds();
-        return text_.number("a value");
+        TokenReader ahead = text_;
+        if (!says_no_number(ahead.next_word())) return text_.number("a value");
+        text_ = ahead;
+        return NAN;
     }
 
     std::int64_t whole(PlyType)

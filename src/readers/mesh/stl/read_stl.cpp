@@ -99,6 +99,8 @@ RawMesh read_stl(const std::string& bytes, const std::string& name)
     const bool exact =
         bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * facet_count(bytes);
     if (!exact && is_stl_text(bytes)) return read_stl_text(bytes, name);
+    if (!exact && (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")))
+        throw FileError(fmt::format("{}: the text is UTF-16; ASCII and UTF-8 are accepted", name));
     if (bytes.size() < kHeader)
         throw FileError(
             fmt::format("{}: {} bytes, neither 'solid' nor the {} bytes of a binary header", name,

@@ -1,6 +1,6 @@
 // stl_text.cpp - STL files that are text.
 #include "readers/mesh/stl/stl_text.h"
-#include "io/scan_number.h"
+#include "io/parse_number.h"
 #include "io/text_cursor.h"
 #include "io/token_reader.h"
 
@@ -12,6 +12,8 @@
 #include <cctype>
 #include <initializer_list>
 #include <limits>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace firsthit {
@@ -20,6 +22,7 @@ namespace {
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 constexpr std::size_t kFirstBytes =
     256; // in which a binary file has a zero: in its count, at least
+constexpr std::size_t kCommentBytes = 4096; // in which the first facet begins
 
 bool same_word(std::string_view word, std::string_view lower)
 {
@@ -27,17 +30,17 @@ bool same_word(std::string_view word, std::string_view lower)
         [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
+/// A number with a decimal comma.
+std::optional<float> with_point(std::string_view word)
+{
+    std::string changed(word);
+    std::replace(changed.begin(), changed.end(), ',', '.');
+    return parse_float(changed);
+}
+
 std::size_t bom_size(const std::string& bytes)
 {
     return bytes.compare(0, kBom.size(), kBom) == 0 ? kBom.size() : 0;
-}
-
-/// What programs write for numbers that are none, as "-nan(ind)" and "1.#QNAN": no number of C++.
-bool is_no_number(std::string_view word)
-{
-    if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
-    return same_word(word.substr(0, 3), "nan") || same_word(word.substr(0, 3), "inf") ||
-           word.substr(0, 3) == "1.#";
 }
 
 class StlText {
@@ -88,10 +91,15 @@ class StlText {
     {
         TokenReader ahead = text_;
         const std::string_view word = ahead.next_word();
-        if (!is_no_number(word))
+        const bool is_none = says_no_number(word);
+        std::optional<float> decimal;
+        if (!is_none && word.find(',') != word.npos) decimal = with_point(word);
+        if (!is_none && !decimal)
             return text_.number(std::string_view("xyz").substr(std::size_t(axis), 1));
+        if (decimal)
+            mesh_.problems.add("commas in numbers are decimal points", "byte", text_.consumed());
         text_ = ahead;
-        return std::numeric_limits<float>::quiet_NaN();
+        return decimal.value_or(std::numeric_limits<float>::quiet_NaN());
     }
 
     /// Normals are not used, and exporters write some that are no numbers.
@@ -125,6 +133,8 @@ class StlText {
     {
         end_facet();
         in_solid_ = true;
+        TokenReader ahead = text_;
+        line_of_solid_ = ahead.rest_of_line();
         std::string name = read_name({"facet"});
         if (!mesh_.runs.empty() && mesh_.runs.back().first_triangle == mesh_.index.size())
             mesh_.runs.pop_back(); // of a solid without facets
@@ -135,7 +145,12 @@ class StlText {
     {
         end_facet();
         in_solid_ = false;
-        read_name({"facet", "solid"});
+        // A name may hold any words: the same one needs no look at them.
+        TokenReader ahead = text_;
+        if (ahead.rest_of_line() == line_of_solid_)
+            text_ = ahead;
+        else
+            read_name({"facet", "solid"});
     }
 
     /// A name ends with its line, or before one of the words on it.
@@ -163,6 +178,7 @@ class StlText {
     RawMesh mesh_;
     std::uint32_t corners_ = 0; // of the facet that is read
     bool in_solid_ = false;
+    std::string_view line_of_solid_; // what stands behind the word
 };
 
 } // namespace
@@ -173,8 +189,11 @@ bool is_stl_text(const std::string& bytes)
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return false;
     const std::string_view word = text.substr(first, 5);
-    return (same_word(word, "solid") || same_word(word, "facet")) &&
-           text.substr(0, kFirstBytes).find('\0') == std::string_view::npos;
+    if (text.substr(0, kFirstBytes).find('\0') != std::string_view::npos) return false;
+    if (same_word(word, "solid") || same_word(word, "facet")) return true;
+    // Behind comments of programs that write some.
+    const std::string_view begin = text.substr(0, kCommentBytes);
+    return begin.find("facet") != begin.npos && begin.find("vertex") != begin.npos;
 }
 
 RawMesh read_stl_text(const std::string& bytes, const std::string& name)
