@@ -40,12 +40,13 @@ std::uint32_t add_ground(Scene& scene, const Ground& ground)
     const glm::dvec3 front = glm::cross(up, right);
 
     const auto material = std::uint32_t(scene.materials.size());
-    scene.materials.push_back({.name = "ground"});
+    Material& paint = scene.materials.emplace_back();
+    paint.name = "ground";
     if (scene.environment.map)
-        scene.materials.back().model = MetallicRoughness{
+        paint.model = MetallicRoughness{
             .base_color = ground.color, .metallic = 0, .f0 = glm::vec3(0), .specular = 0};
     else
-        scene.materials.back().model = Phong{.ambient = ground.color, .diffuse = ground.color};
+        paint.model = Phong{.ambient = ground.color, .diffuse = ground.color};
     scene.nodes.push_back({.name = "ground"});
 
     const std::size_t before = scene.vertices;
@@ -60,9 +61,9 @@ std::uint32_t add_ground(Scene& scene, const Ground& ground)
 
     scene.position.resize(before); // which may be empty where all instances write their own
     scene.normal.resize(before);
-    for (const auto& [x, y] :
+    for (const glm::dvec2& corner :
         {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
-        scene.position.emplace_back(ground.middle + x * right + y * front);
+        scene.position.emplace_back(ground.middle + corner.x * right + corner.y * front);
         scene.normal.emplace_back(up);
     }
     scene.vertices = before + 4;
