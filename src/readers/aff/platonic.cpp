@@ -96,22 +96,11 @@ Points face_of(const Solid& solid, const glm::dvec3& direction)
     return face;
 }
 
-/// The distance of corners along each axis: one number for all three, or, on the same line, three.
-glm::dvec3 read_radius(Lexer& lexer)
-{
-    glm::dvec3 radius(lexer.small_number("the solid's radius"));
-    for (int axis = 1; axis < 3; ++axis)
-        if (lexer.has_more_on_line())
-            if (const auto other = lexer.small_number_if_next("the solid's radius"))
-                radius[axis] = *other;
-    return radius;
-}
-
 /// x y z r: around a point, with corners at that distance.
 void read_solid(Lexer& lexer, State& state, const Solid& solid)
 {
     const glm::dvec3 center = lexer.small_triple("the solid's middle");
-    const glm::dvec3 radius = read_radius(lexer);
+    const glm::dvec3 radius = lexer.radii("the solid's radius");
     const bool is_flat = radius.x * radius.y * radius.z == 0; // and has any normals
     state.builder.begin_instance(
         lexer, state.node, state.builder.material(state.material_name, state.material, -1));

@@ -61,6 +61,16 @@ TEST(Nff, SolidsMayHaveARadiusForEachAxis)
         EXPECT_LT(glm::distance(flat.normal[t.x], glm::normalize(cross)), 1e-5f);
     }
     EXPECT_EQ(scene_of("oct 0 0 0 1 2\n" + kTriangle).triangle_count(), 9u);
+
+    // (x / 2)^2 + y^2 + (z / 4)^2 = 1, whose normals are its gradient.
+    const Scene egg = scene_of("s 0 0 1 2 1 4\n");
+    for (std::size_t v = 0; v < egg.vertex_count(); ++v) {
+        const glm::vec3 p = egg.position[v] - glm::vec3(0, 0, 1);
+        EXPECT_NEAR(p.x * p.x / 4 + p.y * p.y + p.z * p.z / 16, 1, 1e-5f);
+        const glm::vec3 gradient(p.x / 4, p.y, p.z / 16);
+        EXPECT_LT(glm::distance(egg.normal[v], glm::normalize(gradient)), 1e-5f);
+    }
+    EXPECT_EQ(scene_of("s 0 0 1 2 2 2\n").position, scene_of("s 0 0 1 2\n").position);
 }
 
 TEST(Nff, TakesMissingNumbersOfMaterialsForThoseOfAMattOne)
