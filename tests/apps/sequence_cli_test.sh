@@ -26,6 +26,15 @@ header="{'descr': '<f4', 'fortran_order': False, 'shape': (1, 3), }"
   printf '%s\n\0\0\0\0\0\0\0\0\0\0\x80\x3f' "$header"; } >points.npy # (0, 0, 1)
 expect 0 '"occluded": 0' occlusion frames/%04d.obj --points points.npy --direction 0,0,1 --json -o o.npy
 
+# Motion goes on over the borders of files: half a unit a frame, of which the first has none.
+expect 0 '' render frames/%04d.obj --fps 1 --frames 0:2:5 --aov motion=motion_%d.npy -o out_%d.png --size 16x16 \
+    --eye 2,0,9 --at 2,0,0
+for frame in 1 2 3 4; do
+    moves=$(tail -c 2048 motion_$frame.npy | od -An -v -tf4 -w8 | awk '$1 > 0.1 { n++ } END { print n + 0 }')
+    checks=$((checks + 1))
+    [ "$moves" -gt 0 ] || fail "motion of frame $frame of a sequence is 0 everywhere"
+done
+
 # --- warnings, errors ---------------------------------------------------------------------------
 rm frames/0004.obj frames/0005.obj
 expect 0 'warning: .*2 of the numbers from 1 to 8 have no file \(the first is frames/0004.obj\)' info frames/%04d.obj

@@ -186,6 +186,14 @@ std::optional<float> Lexer::small_number_if_next(const char* what)
     return small_number(what);
 }
 
+glm::dvec3 Lexer::radii(const char* what)
+{
+    glm::dvec3 radius(small_number(what));
+    for (int axis = 1; axis < 3 && has_more_on_line(); ++axis)
+        radius[axis] = small_number_if_next(what).value_or(static_cast<float>(radius[axis]));
+    return radius;
+}
+
 std::string Lexer::place() const
 {
     return file_ + ":" + std::to_string(line_) + ": ";

@@ -66,6 +66,9 @@ class Lexer {
     /// The next token as a number if it is one; otherwise takes nothing.
     std::optional<float> small_number_if_next(const char* what);
 
+    /// A radius for each axis: one number for all of them or, if the line goes on with numbers, three.
+    glm::dvec3 radii(const char* what);
+
     /// "file:line: " of the last token.
     std::string place() const;
     [[noreturn]] void fail_file(const std::string& message) const;

@@ -100,11 +100,12 @@ Points face_of(const Solid& solid, const glm::dvec3& direction)
 void read_solid(Lexer& lexer, State& state, const Solid& solid)
 {
     const glm::dvec3 center = lexer.small_triple("the solid's middle");
-    const double radius = lexer.small_number("the solid's radius");
+    const glm::dvec3 radius = lexer.radii("the solid's radius");
+    const bool is_flat = radius.x * radius.y * radius.z == 0; // and has any normals
     state.builder.begin_instance(
         lexer, state.node, state.builder.material(state.material_name, state.material, -1));
     for (const glm::dvec3& direction : solid.face) {
-        const glm::vec3 normal(glm::normalize(direction) * (radius < 0 ? -1.0 : 1.0));
+        const glm::vec3 normal(glm::normalize(is_flat ? direction : direction / radius));
         const std::uint32_t first = state.builder.vertices();
         const Points face = face_of(solid, direction);
         for (const glm::dvec3& p : face) {

@@ -166,8 +166,18 @@ void read_any_textured_triangle(Lexer& lexer, State& state, bool has_normals)
 void read_sphere(Lexer& lexer, State& state)
 {
     const glm::dvec3 center = lexer.small_triple("the sphere's middle");
-    const double radius = lexer.small_number("the sphere's radius");
-    add_facets(lexer, state, tessellate_sphere(center, radius, state.settings.sphere_segments));
+    const glm::dvec3 radius = lexer.radii("the sphere's radius");
+    const int segments = state.settings.sphere_segments;
+    if (radius == glm::dvec3(radius.x)) {
+        add_facets(lexer, state, tessellate_sphere(center, radius.x, segments));
+        return;
+    }
+    Facets facets = tessellate_sphere(glm::dvec3(0), 1, segments);
+    const bool is_flat = radius.x * radius.y * radius.z == 0; // and has any normals
+    for (glm::vec3& p : facets.position) p = glm::vec3(center + radius * glm::dvec3(p));
+    if (!is_flat)
+        for (glm::vec3& n : facets.normal) n = glm::vec3(glm::normalize(glm::dvec3(n) / radius));
+    add_facets(lexer, state, facets);
 }
 
 void read_cone(Lexer& lexer, State& state)

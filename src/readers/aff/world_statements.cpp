@@ -5,6 +5,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -41,6 +42,18 @@ void leave_out_extensions(Lexer& lexer, State& state)
                                              : "textures of materials are left out",
             "line", lexer.line());
     }
+}
+
+/// A number of a material, of which programs leave the last ones out before the next statement.
+float number_or(float missing, Lexer& lexer, State& state, const char* what)
+{
+    const std::string_view word = lexer.peek();
+    const bool is_statement =
+        !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) && !says_no_number(word);
+    if (!is_statement) return lexer.small_number(what);
+    state.builder.problems.add(
+        "missing numbers of materials are those of a matt one", "line", lexer.line());
+    return missing;
 }
 
 } // namespace
@@ -127,13 +140,13 @@ void read_simple_material(Lexer& lexer, State& state)
 {
     Phong material;
     const glm::vec3 color = lexer.small_triple("the material's colour");
-    const float diffuse = lexer.small_number("the material's Kd");
+    const float diffuse = number_or(1, lexer, state, "the material's Kd");
     material.ambient = glm::vec3(0);
     material.diffuse = diffuse * color;
-    material.specular = glm::vec3(lexer.small_number("the material's Ks"));
-    material.shininess = lexer.small_number("the material's shine");
-    material.transmittance = lexer.small_number("the material's T");
-    material.ior = lexer.small_number("the material's index of refraction");
+    material.specular = glm::vec3(number_or(0, lexer, state, "the material's Ks"));
+    material.shininess = number_or(1, lexer, state, "the material's shine");
+    material.transmittance = number_or(0, lexer, state, "the material's T");
+    material.ior = number_or(1, lexer, state, "the material's index of refraction");
     for (int channel = 0; channel < 3; ++channel)
         if (!std::isfinite(material.diffuse[channel]))
             lexer.fail_scene("the material's Kd times its colour is too large");

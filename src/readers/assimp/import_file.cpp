@@ -1,6 +1,7 @@
 // import_file.cpp - a file's bytes through Assimp.
 #include "readers/assimp/import_file.h"
 
+#include "readers/assimp/dae_numbers.h"
 #include "readers/assimp/try_in_child.h"
 #include "readers/assimp/utf8.h"
 
@@ -107,7 +108,8 @@ ImportedFile import_file(const std::string& name, const std::string& bytes,
 {
     if (bytes.empty()) throw FileError(fmt::format("{}: the file is empty", name));
     // Assimp 5.2 takes XML for UTF-8, whatever it says.
-    const std::string xml = extension == ".dae" ? as_utf8(bytes) : std::string();
+    const std::string xml =
+        extension == ".dae" ? without_blanks_before_numbers(as_utf8(bytes)) : std::string();
     const std::string& text = extension == ".dae" ? xml : bytes;
     std::string why;
     const auto import = [&] { return import_text(text, extension, crease_angle_rad, why); };

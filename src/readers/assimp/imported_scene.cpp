@@ -9,7 +9,6 @@
 #include <assimp/metadata.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -108,8 +107,9 @@ glm::dmat4 ImportedScene::world_from_file() const
         matrix = metres_from_fbx(from_.mMetaData);
         matrix[3][3] = 1;
     } else if (extension_ == ".3mf") {
-        matrix = glm::rotate(glm::dmat4(1), -1.57079632679489662, glm::dvec3(1, 0, 0)) *
-                 glm::scale(glm::dmat4(1), glm::dvec3(unit_m_));
+        const glm::dmat3 turn({1, 0, 0}, {0, 0, -1}, {0, 1, 0}); // exactly
+        matrix = glm::dmat4(turn * unit_m_);
+        matrix[3][3] = 1;
     }
     return matrix;
 }

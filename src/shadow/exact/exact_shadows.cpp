@@ -42,7 +42,7 @@ class HitPoints : public PencilPoints {
 };
 
 /// Triangles per sample above which the grid is faster than sorting both into cells (measured).
-constexpr double kManyTriangles = 1.5;
+constexpr double kManyTrianglesASample = 1.5;
 
 /// The grid is not used where its cells hold more than this many samples on average around a
 /// sample (SampleGrid::crowding); eight are usual.
@@ -51,7 +51,7 @@ constexpr double kCrowded = 128;
 bool wants_grid(const ShadowMemory& memory, std::size_t samples)
 {
     if (memory.plan != ShadowPlan::automatic) return memory.plan == ShadowPlan::grid;
-    return double(memory.mesh.index.size()) > kManyTriangles * double(samples);
+    return double(memory.mesh.index.size()) > kManyTrianglesASample * double(samples);
 }
 
 } // namespace

@@ -46,6 +46,50 @@ TEST(Nff, LeavesOutPolygonsThatCannotBeShown)
     for (const glm::vec3& normal : normals.normal) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
+TEST(Nff, SolidsMayHaveARadiusForEachAxis)
+{
+    const Scene round = scene_of("oct 1 0 0 2\n"), flat = scene_of("oct 1 0 0 2 4 0.5\n");
+    EXPECT_TRUE(flat.warnings.empty());
+    ASSERT_EQ(flat.triangle_count(), 8u);
+    for (std::size_t v = 0; v < flat.vertex_count(); ++v)
+        EXPECT_LT(glm::distance(flat.position[v] - glm::vec3(1, 0, 0),
+                      (round.position[v] - glm::vec3(1, 0, 0)) * glm::vec3(1, 2, 0.25f)),
+            1e-6f);
+    for (const glm::uvec3& t : flat.index) {
+        const glm::vec3 cross = glm::cross(
+            flat.position[t.y] - flat.position[t.x], flat.position[t.z] - flat.position[t.x]);
+        EXPECT_LT(glm::distance(flat.normal[t.x], glm::normalize(cross)), 1e-5f);
+    }
+    EXPECT_EQ(scene_of("oct 0 0 0 1 2\n" + kTriangle).triangle_count(), 9u);
+
+    // (x / 2)^2 + y^2 + (z / 4)^2 = 1, whose normals are its gradient.
+    const Scene egg = scene_of("s 0 0 1 2 1 4\n");
+    for (std::size_t v = 0; v < egg.vertex_count(); ++v) {
+        const glm::vec3 p = egg.position[v] - glm::vec3(0, 0, 1);
+        EXPECT_NEAR(p.x * p.x / 4 + p.y * p.y + p.z * p.z / 16, 1, 1e-5f);
+        const glm::vec3 gradient(p.x / 4, p.y, p.z / 16);
+        EXPECT_LT(glm::distance(egg.normal[v], glm::normalize(gradient)), 1e-5f);
+    }
+    EXPECT_EQ(scene_of("s 0 0 1 2 2 2\n").position, scene_of("s 0 0 1 2\n").position);
+}
+
+TEST(Nff, TakesMissingNumbersOfMaterialsForThoseOfAMattOne)
+{
+    const Scene scene = scene_of("f 0 0.5 1\n" + kTriangle + "f 1 1 1 0.5 0.25 8\n" + kTriangle);
+    EXPECT_EQ(scene.triangle_count(), 2u);
+    ASSERT_EQ(scene.materials.size(), 2u);
+    const auto& plain = std::get<Phong>(scene.materials[0].model);
+    EXPECT_EQ(plain.diffuse, glm::vec3(0, 0.5f, 1));
+    EXPECT_EQ(plain.specular, glm::vec3(0));
+    const auto& shiny = std::get<Phong>(scene.materials[1].model);
+    EXPECT_EQ(shiny.diffuse, glm::vec3(0.5f));
+    EXPECT_EQ(shiny.specular, glm::vec3(0.25f));
+    EXPECT_EQ(shiny.shininess, 8);
+    EXPECT_EQ(shiny.ior, 1);
+    EXPECT_EQ(warning_of(scene), kNumbered + "missing numbers of materials are those of a matt one "
+                                             "(first at line 1, 7 times)");
+}
+
 TEST(Nff, LeavesOutTexturesOfMaterials)
 {
     const Scene scene = scene_of("f 1 0 0 0.8 0.2 30 0 1 earth.jpg\n" + kTriangle);

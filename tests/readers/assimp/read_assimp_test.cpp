@@ -1,5 +1,6 @@
 // read_assimp_test.cpp - COLLADA files become the scenes they describe, and what is wrong is said.
 #include "message_of.h"
+#include "readers/assimp/dae_numbers.h"
 #include "readers/assimp/dae_text.h"
 #include "readers/assimp/read_assimp.h"
 #include "scene/model/check_scene.h"
@@ -206,6 +207,22 @@ TEST(Assimp, ReadsColladaInTwoBytesALetter)
     }
     EXPECT_EQ(read(little).triangle_count(), 2u);
     EXPECT_EQ(read(big).triangle_count(), 2u);
+}
+
+TEST(Assimp, ReadsColladaNumbersBehindBlanks)
+{
+    EXPECT_EQ(without_blanks_before_numbers("<a> \n 1 2 </a>\n <b> x 1</b> <c>\t-.5</c> "),
+        "<a>1 2 </a>\n <b> x 1</b> <c>-.5</c> ");
+    EXPECT_EQ(without_blanks_before_numbers(""), "");
+    EXPECT_EQ(without_blanks_before_numbers("no tag 1"), "no tag 1");
+    EXPECT_EQ(without_blanks_before_numbers("<a> "), "<a> ");
+    const std::string text = dae({});
+    std::string spaced = text;
+    for (std::size_t at = spaced.find("<color"); at != spaced.npos;
+         at = spaced.find("<color", at + 1))
+        spaced.insert(spaced.find('>', at) + 1, "\n  ");
+    ASSERT_NE(spaced, text);
+    EXPECT_EQ(read(spaced).materials[0].name, read(text).materials[0].name);
 }
 
 TEST(Assimp, SaysWhatIsWrong)

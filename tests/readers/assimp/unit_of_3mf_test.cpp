@@ -63,6 +63,7 @@ TEST(UnitOf3mf, LengthsBecomeMetres)
         const glm::vec3 size = size_of(scene); // z of the file is y
         EXPECT_NEAR(size.x, 2 * metres, 1e-6 * metres);
         EXPECT_NEAR(size.y, metres, 1e-6 * metres);
+        EXPECT_EQ(size.z, 0);
     }
 }
 
