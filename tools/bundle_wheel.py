@@ -77,15 +77,20 @@ def bundle(root):
             (folder / "licences").mkdir(exist_ok=True)
             shutil.copyfile(licence[1], folder / "licences" / f"{licence[0]}.txt")
     for copy in folder.glob("*.so*"):
-        run("patchelf", "--set-soname", copy.name, "--set-rpath", "$ORIGIN", *replacements(copy, names), str(copy))
+        run("patchelf", "--set-soname", copy.name, str(copy))
+        connect(copy, "$ORIGIN", names)
     for module in modules:
         up = "/".join([".."] * len(module.relative_to(root).parent.parts))
-        run("patchelf", "--set-rpath", f"$ORIGIN/{up}/{FOLDER}", *replacements(module, names), str(module))
+        connect(module, f"$ORIGIN/{up}/{FOLDER}", names)
     return sorted(names.values())
 
 
-def replacements(file, names):
-    return [word for name in needed(file) for word in ("--replace-needed", name, names[name])]
+def connect(file, rpath, names):
+    """Has a file look for its libraries by their new names."""
+    # One after the other: patchelf 0.14 does the first of several changes alone.
+    for name in needed(file):
+        run("patchelf", "--replace-needed", name, names[name], str(file))
+    run("patchelf", "--force-rpath", "--set-rpath", rpath, str(file))
 
 
 def write_record(root):

@@ -46,5 +46,5 @@ if len(sys.argv) > 1:
     share = (hours / hours.max())[:, None]
     colors = (1 - share) * [0.02, 0.04, 0.25] + share * [1.0, 0.75, 0.2]
     world = houses((points, triangles, colors))
-    camera = fh.look_at((14, 16, 18), (0, 0, 0), size=(480, 360))
+    camera = fh.look_at((-16, 25, -24), (0.5, 0, -1), size=(480, 360))
     fh.render(world, camera).save(sys.argv[1])

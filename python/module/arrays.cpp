@@ -40,6 +40,30 @@ std::string what(const py::array& array)
     throw py::value_error(std::string(name) + ": got " + got + ", wanted " + wanted);
 }
 
+/// Whether an array lies in the buffer that it was made of, which NumPy does not ask where an object's
+/// __array_interface__ names one.
+bool lies_in_its_buffer(const py::array& array)
+{
+    const py::object base = array.base();
+    if (!base || py::isinstance<py::array>(base) || !PyObject_CheckBuffer(base.ptr())) return true;
+    Py_buffer buffer;
+    if (PyObject_GetBuffer(base.ptr(), &buffer, PyBUF_SIMPLE) != 0) {
+        PyErr_Clear(); // not in one piece: NumPy made the array of its strides
+        return true;
+    }
+    const auto* const first = static_cast<const char*>(buffer.buf);
+    const char* const end = first + buffer.len;
+    PyBuffer_Release(&buffer);
+    if (array.size() == 0) return true;
+    const auto* low = static_cast<const char*>(array.data());
+    const char* high = low + array.itemsize();
+    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) {
+        const py::ssize_t reach = (array.shape(axis) - 1) * array.strides(axis);
+        (reach < 0 ? low : high) += reach;
+    }
+    return low >= first && high <= end;
+}
+
 /// As an array of numbers, of any type.
 py::array any_array(const py::handle& object, const char* name, const std::string& wanted)
 {
@@ -57,6 +81,9 @@ py::array any_array(const py::handle& object, const char* name, const std::strin
     if (kind != 'f' && kind != 'i' && kind != 'u')
         throw py::type_error(
             std::string(name) + ": got " + what(array) + ", wanted numbers, " + wanted);
+    if (!lies_in_its_buffer(array))
+        throw py::value_error(
+            std::string(name) + ": got " + what(array) + " of an object whose memory is smaller");
     return array;
 }
 
@@ -70,6 +97,9 @@ void check_shape(const py::array& array, const char* name, std::initializer_list
         ++axis;
     }
     if (!fits) refuse(name, what(array), wanted);
+    constexpr py::ssize_t kMostRows = 0xFFFFFFFE; // ids are 32 bits; before anything is copied
+    if (array.ndim() > 0 && array.shape(0) > kMostRows)
+        refuse(name, what(array), wanted + ", at most " + std::to_string(kMostRows) + " of them");
 }
 
 /// In C order, native, of a type.

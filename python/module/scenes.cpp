@@ -45,7 +45,8 @@ std::int32_t clip_of(const Scene& scene, const py::object& clip, std::int32_t us
 }
 
 LoadedScene load(const py::object& given_path, const py::object& clip, std::optional<bool> studio,
-    const std::string& scene, bool strict, double crease_angle)
+    const std::string& scene, bool strict, double crease_angle,
+    const std::optional<Color>& background)
 {
     const std::string path = path_text(given_path);
     LoadSettings settings;
@@ -58,6 +59,7 @@ LoadedScene load(const py::object& given_path, const py::object& clip, std::opti
         Scene read = load_scene(path, settings);
         loaded.studio = studio.value_or(!has_own_lights(read));
         if (loaded.studio) set_up_studio(read);
+        if (background) read.background = to_vec3(*background);
         loaded.scene = std::make_shared<const Scene>(std::move(read));
     }
     loaded.clip = clip_of(*loaded.scene, clip, 0);
@@ -143,6 +145,11 @@ void add_scenes(py::module_& module)
             "warnings", [](const LoadedScene& self) { return self.scene->warnings; })
         .def_property_readonly("files", [](const LoadedScene& self) { return self.scene->files; })
         .def_readonly("studio", &LoadedScene::studio)
+        .def_property_readonly("background",
+            [](const LoadedScene& self) {
+                const glm::vec3& c = self.scene->background;
+                return Color{c.x, c.y, c.z};
+            })
         .def_property_readonly("clip",
             [](const LoadedScene& self) -> py::object {
                 if (!self.scene->has_clip(self.clip)) return py::none();
@@ -162,7 +169,7 @@ void add_scenes(py::module_& module)
         });
     module.def("load", &load, py::arg("path"), py::kw_only(), py::arg("clip") = py::none(),
         py::arg("studio") = py::none(), py::arg("scene") = "", py::arg("strict") = false,
-        py::arg("crease_angle") = 30.0);
+        py::arg("crease_angle") = 30.0, py::arg("background") = py::none());
 }
 
 } // namespace firsthit::python

@@ -101,13 +101,67 @@ def test_one_for_each_vertex(name, count):
 
 
 class Liar:
-    """Says that it has more than it has."""
-    __array_interface__ = {"shape": (2**40, 3), "typestr": "<f4", "version": 3, "data": b"0123456789ab"}
+    """Says that it has more than its 36 bytes. NumPy believes it."""
+
+    def __init__(self, shape, **words):
+        self.__array_interface__ = {"shape": shape, "typestr": "<f4", "version": 3, "data": VERTICES.tobytes(), **words}
 
 
 def test_an_object_that_lies_about_its_size_is_refused():
-    with pytest.raises((TypeError, ValueError, MemoryError)):
-        fh.Scene(Liar(), TRIANGLES)
+    assert np.array_equal(positions(Liar((3, 3))), positions(VERTICES))
+    for liar in (Liar((4, 3)), Liar((2**40, 3)), Liar((3, 3), strides=(4096, 4)), Liar((3, 3), strides=(-12, 4)),
+                 Liar((3, 3), offset=4)):
+        with pytest.raises(ValueError, match="memory is smaller|at most"):
+            fh.Scene(liar, TRIANGLES)
+    # What NumPy makes of buffers is in them.
+    data = np.frombuffer(VERTICES.tobytes(), np.float32).reshape(3, 3)
+    for honest in (data, data[::-1], memoryview(np.repeat(VERTICES, 2, 0))[::2], memoryview(bytearray(8))):
+        if np.asarray(honest).shape == (3, 3):
+            fh.Scene(honest, TRIANGLES)
+
+
+class NoCapsule:
+    def __dlpack__(self, **words):
+        return 5
+
+    def __dlpack_device__(self):
+        return (1, 0)
+
+
+class NoArray:
+    def __array__(self, dtype=None):
+        return [1, 2, 3]
+
+
+class Endless:
+    def __len__(self):
+        return 3
+
+    def __getitem__(self, k):
+        raise ZeroDivisionError("no element")
+
+
+class NotThere:
+    __array_interface__ = {"shape": (3, 3), "typestr": "<f4", "version": 3}
+
+
+@pytest.mark.parametrize("kind", [NoCapsule, NoArray, Endless, NotThere])
+def test_objects_that_break_their_promises_are_refused(kind):
+    for call in (lambda: fh.Scene(kind(), TRIANGLES), lambda: fh.Scene(VERTICES, kind()),
+                 lambda: fh.occlusion(fh.Scene(VERTICES, TRIANGLES).pose(), kind(), directions=[[0, 0, 1]])):
+        with pytest.raises((TypeError, ValueError, ZeroDivisionError)):
+            call()
+
+
+def test_more_rows_than_ids_are_refused_before_they_are_copied():
+    # Arrays without memory: one row, again and again.
+    many = np.broadcast_to(np.zeros(3, np.float32), (2**33, 3))
+    with pytest.raises(ValueError, match="at most"):
+        fh.Scene(many, TRIANGLES)
+    with pytest.raises(ValueError, match="at most"):
+        fh.Scene(VERTICES, np.broadcast_to(np.zeros(3, np.uint32), (2**32, 3)))
+    with pytest.raises(ValueError, match="at most"):
+        fh.occlusion(fh.Scene(VERTICES, TRIANGLES).pose(), many, directions=[[0, 0, 1]])
 
 
 def test_nothing_is_a_scene_of_nothing(front):

@@ -15,9 +15,11 @@ def program_planes(program, folder, scene, words):
     return {name: np.load(folder / f"{name}.npy") for name in PLANES}
 
 
-@pytest.mark.parametrize("scene, time", [("builtin:torus", 0), ("builtin:robots", 0), ("builtin:robots", 2.5),
-                                         ("builtin:robots", 9), ("builtin:wave?n=5000", 1), ("bunny", 0), ("colours", 0),
-                                         ("flat", 0), ("quads", 0), ("lines", 0)])
+SCENES = [("builtin:torus", 0), ("builtin:robots", 0), ("builtin:robots", 2.5), ("builtin:robots", 9),
+          ("builtin:wave?n=5000", 1), ("bunny", 0), ("colours", 0), ("flat", 0), ("quads", 0), ("lines", 0)]
+
+
+@pytest.mark.parametrize("scene, time", SCENES)
 def test_planes_are_the_programs(program, tmp_path, scene, time, request):
     scene = make_scene(scene, tmp_path, request)
     wanted = program_planes(program, tmp_path, scene, ["--time", str(time)])
@@ -31,39 +33,40 @@ def test_planes_are_the_programs(program, tmp_path, scene, time, request):
 
 @pytest.mark.parametrize("words, given", [([], {}), (["--aa", "1", "--sky", "8"], {"aa": 1, "sky": 8}),
                                           (["--samples", "2", "--shadows", "map"], {"samples": 2, "shadows": "map"})])
-@pytest.mark.parametrize("scene", ["builtin:robots", "colours"])
-def test_colours_are_the_programs(program, tmp_path, scene, words, given, request):
+@pytest.mark.parametrize("scene, time", SCENES)
+def test_colours_are_the_programs(program, tmp_path, scene, time, words, given, request):
     scene = make_scene(scene, tmp_path, request)
-    program("render", scene, "--size", "96x64", "--time", "1", "-o", "out.png", "--dither", "off", *words, folder=tmp_path)
-    import struct
-    import zlib
-
-    world = fh.load(scene).pose(1)
-    color = fh.render(world, fh.scene_camera(world, size=(96, 64)), **given)["color"].astype(np.float64)
-    srgb = np.where(color <= 0.0031308, 12.92 * color, 1.055 * np.maximum(color, 1e-9) ** (1 / 2.4) - 0.055)
-    data = (tmp_path / "out.png").read_bytes()
-    body, k = b"", 8
-    while k < len(data):
-        length, kind = struct.unpack(">I4s", data[k:k + 8])
-        body += data[k + 8:k + 8 + length] if kind == b"IDAT" else b""
-        k += 12 + length
-    rows = np.frombuffer(zlib.decompress(body), np.uint8).reshape(64, -1)
-    codes = unfiltered(rows).reshape(64, 96, 3)
-    assert np.abs(codes - np.clip(srgb, 0, 1) * 255).max() < 0.51
+    outputs = ["-o", "theirs.exr"] if words else ["-o", "theirs.png"]
+    program("render", scene, "--size", "96x64", "--time", str(time), *outputs, *words, folder=tmp_path)
+    world = fh.load(scene).pose(time)
+    frame = fh.render(world, fh.scene_camera(world, size=(96, 64)), **given)
+    for theirs in tmp_path.glob("theirs.*"):
+        ours = theirs.with_stem("ours")
+        frame.save(ours)
+        assert ours.read_bytes() == theirs.read_bytes()
 
 
-def unfiltered(rows):
-    """The bytes of a PNG's rows of three channels."""
-    out = np.zeros((rows.shape[0], rows.shape[1] - 1), np.int64)
-    for y, row in enumerate(rows):
-        above = out[y - 1] if y > 0 else np.zeros(out.shape[1], np.int64)
-        for x, byte in enumerate(row[1:].astype(np.int64)):
-            left = out[y, x - 3] if x >= 3 else 0
-            corner = above[x - 3] if x >= 3 else 0
-            guess = left + above[x] - corner
-            paeth = min((left, above[x], corner), key=lambda v: abs(guess - v))
-            out[y, x] = (byte + [0, left, above[x], (left + above[x]) // 2, paeth][row[0]]) % 256
-    return out
+def test_alpha_is_the_programs(program, tmp_path):
+    program("render", "builtin:torus", "--size", "96x64", "-o", "theirs.exr", "--background", "transparent", folder=tmp_path)
+    scene = fh.load("builtin:torus", background=(0, 0, 0))
+    assert scene.background == [0, 0, 0]
+    world = scene.pose()
+    frame = fh.render(world, fh.scene_camera(world, size=(96, 64)), ["color", "alpha"])
+    frame.save(tmp_path / "ours.exr")
+    assert (tmp_path / "ours.exr").read_bytes() == (tmp_path / "theirs.exr").read_bytes()
+    assert 0 < np.count_nonzero(frame["alpha"] == 1) < np.count_nonzero(frame["alpha"]) < frame["alpha"].size
+
+
+def test_motion_is_the_programs(program, tmp_path):
+    program("render", "builtin:robots", "--size", "96x64", "--frames", "1:1.25:2", "-o", "%d.png", "--aov", "motion=m%d.npy",
+            "--aov", "motion_visible=v%d.npy", folder=tmp_path)
+    robots = fh.load("builtin:robots")
+    worlds = [robots.pose(t) for t in (1, 1.25)]
+    cameras = [fh.scene_camera(world, size=(96, 64)) for world in worlds]
+    frame = fh.render(worlds[1], cameras[1], ["motion", "motion_visible"], previous=(worlds[0], cameras[0]))
+    for name in ("motion", "motion_visible"):
+        last = sorted(tmp_path.glob(f"{name[0] if name == 'motion' else 'v'}*.npy"))[-1]
+        assert np.load(last).tobytes() == frame[name].tobytes() and frame[name].any()
 
 
 def make_scene(name, folder, request):

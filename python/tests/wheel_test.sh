@@ -20,7 +20,7 @@ work=$(mktemp -d)
 trap 'rm -rf --one-file-system "$work"' EXIT
 cd "$work"
 
-cmake --install "$build" --prefix prefix >install.log
+cmake --install "$build" --prefix prefix --component development >install.log
 PYTHON=$python "$project/scripts/build_wheel.sh" wheel prefix
 wheel=$(ls "$work"/wheel/*.whl)
 

@@ -7,10 +7,12 @@ import warnings
 from typing import Optional, Union
 
 from . import _firsthit as _core
+from ._types import Color
 
 
 def load(path: Union[str, os.PathLike[str]], *, clip: Union[str, int, None] = None, studio: Optional[bool] = None,
-         scene: str = "", strict: bool = False, crease_angle: float = 30.0) -> _core.Scene:
+         scene: str = "", strict: bool = False, crease_angle: float = 30.0,
+         background: Optional[Color] = None) -> _core.Scene:
     """Reads a scene. What its file says and the scene does not hold is told by warnings.warn, and in scene.warnings.
 
     clip          the animation of poses: name or number, "none"; None: the first
@@ -18,8 +20,10 @@ def load(path: Union[str, os.PathLike[str]], *, clip: Union[str, int, None] = No
     scene         of a file with several: its name or number
     strict        True: a warning is an error
     crease_angle  degrees; normals that the file does not have are smooth across smaller angles
+    background    linear colour in the place of the scene's; (0, 0, 0) for pictures with "alpha"
     """
-    read = _core.load(path, clip=clip, studio=studio, scene=scene, strict=strict, crease_angle=crease_angle)
+    read = _core.load(path, clip=clip, studio=studio, scene=scene, strict=strict, crease_angle=crease_angle,
+                      background=background)
     for text in read.warnings:
         warnings.warn(text, stacklevel=2)
     return read
