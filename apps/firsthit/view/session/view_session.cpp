@@ -20,6 +20,8 @@ constexpr std::chrono::milliseconds kStillMoving{120};
 constexpr double kTurnSeconds = 12;
 /// How far flying goes in a second, in distances to the point in the middle.
 constexpr double kFlySpeed = 0.8;
+/// Frames have at least this share of the time, however long showing them takes.
+constexpr double kLeastShare = 0.4;
 /// A longer time between two updates is a pause of the program, not of the clip.
 constexpr double kLongestStep = 0.25;
 
@@ -193,6 +195,8 @@ FrameRequest ViewSession::request(Clock::time_point now) const
     wanted.height = height_;
     wanted.state = state_;
     wanted.moving = is_moving(now);
+    const double period_ms = 1000 / state_.rate;
+    wanted.most_ms = std::max(kLeastShare * period_ms, period_ms - showing_ms_);
     return wanted;
 }
 
@@ -221,6 +225,11 @@ std::optional<Pick> ViewSession::latest_pick() const
     std::optional<Pick> found = frames_.latest_pick();
     if (found && (found->x != int(pointer_.x) || found->y != int(pointer_.y))) found.reset();
     return found;
+}
+
+void ViewSession::note_showing(double ms)
+{
+    showing_ms_ = 0.9 * showing_ms_ + 0.1 * ms;
 }
 
 void ViewSession::shown(const ShownFrame& frame, Clock::time_point when)

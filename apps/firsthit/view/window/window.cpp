@@ -2,6 +2,7 @@
 #include "view/window/window.h"
 
 #include "common/output.h"
+#include "common/stopwatch.h"
 #include "common/usage.h"
 #include "view/frames/write_pixels.h"
 #include "view/window/surface.h"
@@ -183,8 +184,10 @@ bool Window::is_due(Clock::time_point now) const
 
 void Window::show(Clock::time_point now)
 {
+    const Stopwatch watch;
     surface_->draw(*session_, now);
     surface_->swap();
+    if (surface_->draws_on_cpu()) session_->note_showing(watch.ms());
     input_->point();
     swapped_ = Clock::now();
     message_ = session_->message();
