@@ -1,6 +1,6 @@
 """random_input.py - writes a script of random input for `firsthit view`.
 
-Usage: random_input.py SECONDS SEED. After two thirds of the time and at the end, the window shows the same scene at
+Usage: random_input.py SECONDS SEED. First everything that takes memory once is used once. After two thirds of the time and at the end, the window shows the same scene at
 rest, and measures: view_random_input_test.sh compares the two.
 """
 import random
@@ -18,6 +18,9 @@ SWITCHES = {
 FILES = ['builtin:torus', 'builtin:robots', 'none.off']
 REST = ['resize 640 480', 'open builtin:robots', 'choose play off', 'choose turntable off', 'choose samples 1',
         'choose look color', 'choose engine cpu', 'key home', 'wait rest', 'measure']
+WARM = ['resize 800 600', 'choose shadows map', 'choose shadow-map-size 1024', 'choose multisample exact'] + [
+    line for engine in ('hybrid', 'gpu', 'cpu') for scene in ('torus', 'robots') for look in ('wrong', 'difference', 'color')
+    for line in (f'choose engine {engine}', f'open builtin:{scene}', f'choose look {look}', 'wait rest')]
 STEP_S = 0.25  # what an action and the pause after it take, about
 
 
@@ -39,6 +42,7 @@ def action(r):
 
 def main():
     seconds, r = float(sys.argv[1]), random.Random(int(sys.argv[2]))
+    print('\n'.join(WARM))
     for share in (2 / 3, 1 / 3):
         for step in range(int(share * seconds / STEP_S)):
             print(action(r))

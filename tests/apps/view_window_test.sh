@@ -101,6 +101,13 @@ changes "click on the panel" "click 100 60
 wait 5 frames
 assert selected -1"
 
+# The same after a drag on the picture.
+changes "click on the panel after a drag" "click 100 64
+wait 5 frames" "choose bars off
+choose corner off
+choose hover off
+drag 400 200 430 210"
+
 # What is on the screen, without panels, is the picture of render.
 checks=$((checks + 1))
 play builtin:robots "$quiet

@@ -50,7 +50,7 @@ constexpr BasicOption kView[] = {
     {"--script", "play the actions of a file, as a test does"},
     {"--screenshot", "a picture of the window at the script's end"},
     {"--no-window", "play the script without a window or display"},
-    {"--measure", "at the end print frames a second and the age of input"},
+    {"--measure", "at the end print frames a second, and times from input"},
 };
 
 constexpr BasicOption kInfo[] = {

@@ -153,8 +153,7 @@ void FrameMaker::make(const FrameRequest& request, const std::stop_token& stop, 
         shown.selected.reset();
     }
     shown.made_ms = watch.ms();
-    if (number >= 0)
-        ladder_.made(number, shown.made_ms, 1000 / request.state.rate, count, Clock::now());
+    if (number >= 0) ladder_.made(number, shown.made_ms, request.most_ms, count, Clock::now());
     last_ = request;
 }
 

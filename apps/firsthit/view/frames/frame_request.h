@@ -29,6 +29,7 @@ struct FrameRequest {
     int height = 0;
     ViewState state{};
     bool moving = false; // something moves: what is dear may be left out
+    double most_ms = 16; // and the frame is to take no longer than this
     int repeat = 0; // a frame of one state that is to be made once more has another number here
 };
 

@@ -52,8 +52,8 @@ void ViewSession::button(Button button, bool down, bool shift)
         dragged_ = false;
         pressed_at_ = pointer_;
         const std::shared_ptr<const ShownFrame> frame = latest();
-        if (mover_ && frame && frame->request.number == number_)
-            mover_->focus(frame->middle_t, frame->box);
+        const bool rests = frame && !frame->request.moving && frame->request.number == number_;
+        if (mover_ && rests) mover_->focus(frame->middle_t, frame->box);
         return;
     }
     if (held_ != button) return;
@@ -74,6 +74,8 @@ void ViewSession::scroll(double steps)
 {
     if (steps == 0) return;
     const glm::dvec2 middle(width_ / 2.0, height_ / 2.0);
+    const std::optional<Pick> under = latest_pick(); // at rest
+    if (under && under->hit) mover().focus(double(under->t), seen_box_);
     mover().zoom(
         std::pow(kZoomStep, std::clamp(steps, -20.0, 20.0)), (pointer_ - middle) / double(height_));
     picks_ = false;
@@ -83,19 +85,13 @@ void ViewSession::scroll(double steps)
 void ViewSession::named_view(NamedView view)
 {
     const Framing framing = firsthit::named_view(view, scene_->up_axis());
-    const std::shared_ptr<const ShownFrame> frame = latest();
-    const bool measured = frame && frame->request.scene == scene_ && frame->box[0] != frame->box[1];
-    CameraMover& camera = mover();
-    camera.frame(measured ? frame->box : scene_->box(), framing.towards_eye, framing.up,
-        double(width_) / height_);
+    mover().frame(seen_box_, framing.towards_eye, framing.up, double(width_) / height_);
     changed(true);
 }
 
 void ViewSession::frame_all()
 {
-    const std::shared_ptr<const ShownFrame> frame = latest();
-    const bool measured = frame && frame->request.scene == scene_ && frame->box[0] != frame->box[1];
-    mover().frame(measured ? frame->box : scene_->box(), double(width_) / height_);
+    mover().frame(seen_box_, double(width_) / height_);
     changed(true);
 }
 

@@ -20,6 +20,8 @@ constexpr std::chrono::milliseconds kStillMoving{120};
 constexpr double kTurnSeconds = 12;
 /// How far flying goes in a second, in distances to the point in the middle.
 constexpr double kFlySpeed = 0.8;
+/// Frames have at least this share of the time, however long showing them takes.
+constexpr double kLeastShare = 0.4;
 /// A longer time between two updates is a pause of the program, not of the clip.
 constexpr double kLongestStep = 0.25;
 
@@ -44,6 +46,8 @@ void ViewSession::take_scene(std::shared_ptr<ViewScene> scene, bool keep)
     scene_ = std::move(scene);
     recent_.add(scene_->options().scene.name);
     environment_ = state_.environment;
+    seen_box_ = scene_->box();
+    seen_t_ = 0;
     state_.settings.sky = scene_->settings().sky;
     state_.studio = scene_->in_studio();
     state_.selected = -1;
@@ -80,13 +84,21 @@ CameraMover& ViewSession::mover()
     if (!mover_) {
         const std::shared_ptr<const ShownFrame> frame = latest();
         const bool current = frame && frame->request.scene == scene_;
-        const bool measured = current && frame->box[0] != frame->box[1];
         mover_.emplace();
-        mover_->take(current ? frame->camera : scene_->start_camera(),
-            measured ? frame->box : scene_->box(), scene_->up_axis(), height_);
-        if (measured) mover_->focus(frame->middle_t, frame->box);
+        mover_->take(current ? frame->camera : scene_->start_camera(), seen_box_, scene_->up_axis(),
+            height_);
+        mover_->focus(seen_t_, seen_box_);
     }
     return *mover_;
+}
+
+/// Remembers where things are, for a hand that turns the camera before the next picture is at rest.
+void ViewSession::note_what_is_seen()
+{
+    const std::shared_ptr<const ShownFrame> frame = latest();
+    if (!frame || frame->request.moving || frame->request.scene != scene_) return;
+    seen_box_ = frame->box;
+    if (frame->request.number == number_) seen_t_ = frame->middle_t;
 }
 
 void ViewSession::resize(int width, int height)
@@ -193,6 +205,8 @@ FrameRequest ViewSession::request(Clock::time_point now) const
     wanted.height = height_;
     wanted.state = state_;
     wanted.moving = is_moving(now);
+    const double period_ms = 1000 / state_.rate;
+    wanted.most_ms = std::max(kLeastShare * period_ms, period_ms - showing_ms_);
     return wanted;
 }
 
@@ -206,6 +220,7 @@ void ViewSession::update(Clock::time_point now)
     take_loaded();
     watch_files(now);
     frames_.want(request(now));
+    note_what_is_seen();
     record(now);
     const bool inside =
         pointer_.x >= 0 && pointer_.y >= 0 && pointer_.x < width_ && pointer_.y < height_;
@@ -221,6 +236,11 @@ std::optional<Pick> ViewSession::latest_pick() const
     std::optional<Pick> found = frames_.latest_pick();
     if (found && (found->x != int(pointer_.x) || found->y != int(pointer_.y))) found.reset();
     return found;
+}
+
+void ViewSession::note_showing(double ms)
+{
+    showing_ms_ = 0.9 * showing_ms_ + 0.1 * ms;
 }
 
 void ViewSession::shown(const ShownFrame& frame, Clock::time_point when)

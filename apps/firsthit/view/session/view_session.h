@@ -58,6 +58,8 @@ class ViewSession {
     void update(Clock::time_point now = Clock::now());
     /// A frame has come to the screen.
     void shown(const ShownFrame& frame, Clock::time_point when);
+    /// Showing a frame takes so long of the processors that make frames, which are given less time then.
+    void note_showing(double ms);
 
     // What there is to see.
     std::shared_ptr<const ShownFrame> latest() const { return frames_.latest(); }
@@ -107,6 +109,7 @@ class ViewSession {
     void relight();
     void record(Clock::time_point now);
     void changed(bool camera, bool input = true);
+    void note_what_is_seen();
     CameraMover& mover(); // the camera, as the hand's own from now on
     void pass_time(double seconds);
     void fly(double seconds);
@@ -126,6 +129,9 @@ class ViewSession {
     int width_ = 1280, height_ = 720;
     std::optional<CameraMover> mover_; // none: the camera of the file or the options
     std::uint64_t number_ = 1;         // of the state
+    Box seen_box_{};                   // of the last picture at rest
+    double seen_t_ = 0;                // how far what is in its middle is; 0: nothing
+    double showing_ms_ = 0;            // smoothed; see note_showing
     Clock::time_point moving_until_{}, last_update_{}, last_watch_{};
     glm::dvec2 pointer_{0}, pressed_at_{0};
     std::optional<Button> held_;

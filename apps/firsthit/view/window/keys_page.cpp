@@ -27,7 +27,7 @@ void draw_help()
         {". and ,", "step ahead and back"},
         {"[ and ]   L", "half and twice as fast; loop"},
         {"", ""},
-        {"click", "select the instance under the pointer, or none"},
+        {"click, at rest", "select the instance under the pointer, or none"},
         {"V, shift + V", "ways of looking: colour, items, depth, ..."},
         {"G   H", "next engine; next kind of shadows"},
         {"Tab   B   I", "switches; times; what is under the pointer"},

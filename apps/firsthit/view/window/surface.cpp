@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace firsthit::cli::view {
 namespace {
@@ -91,6 +92,9 @@ Surface::Surface(const SurfaceOptions& options) : window_(make_window(options))
     panels_ =
         std::make_unique<Panels>(size.width_pixels == size.width ? std::max(1.0f, scale) : 1.0f);
     picture_ = std::make_unique<PictureQuad>();
+    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view name = renderer ? renderer : "";
+    draws_on_cpu_ = name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
 }
 
 Surface::~Surface()

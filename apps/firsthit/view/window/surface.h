@@ -56,6 +56,8 @@ class Surface {
     /// Draws picture and panels into the back buffer.
     void draw(ViewSession& session, Clock::time_point now);
     void swap();
+    /// Whether OpenGL is Mesa's software driver, which draws on the cores that make pictures.
+    bool draws_on_cpu() const { return draws_on_cpu_; }
     /// Whether the driver has lost the context, as after a crash of its own.
     bool is_lost() const;
 
@@ -83,6 +85,7 @@ class Surface {
     std::unique_ptr<Panels> panels_;
     std::unique_ptr<PictureQuad> picture_;
     Clock::time_point drawn_{};
+    bool draws_on_cpu_ = false;
 };
 
 } // namespace firsthit::cli::view

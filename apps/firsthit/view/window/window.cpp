@@ -2,6 +2,7 @@
 #include "view/window/window.h"
 
 #include "common/output.h"
+#include "common/stopwatch.h"
 #include "common/usage.h"
 #include "view/frames/write_pixels.h"
 #include "view/window/surface.h"
@@ -160,7 +161,7 @@ void Window::renew()
 
 void Window::look_for_news()
 {
-    if (has_news_.exchange(false)) redraws_ = std::max(redraws_, 1);
+    if (has_news_.exchange(false) || input_->waits()) redraws_ = std::max(redraws_, 1);
     if (session_->message() != message_) redraws_ = std::max(redraws_, 1);
     const std::shared_ptr<const ShownFrame> frame = session_->latest();
     if (!frame || frame == frame_) return;
@@ -183,9 +184,11 @@ bool Window::is_due(Clock::time_point now) const
 
 void Window::show(Clock::time_point now)
 {
+    const Stopwatch watch;
     surface_->draw(*session_, now);
     surface_->swap();
-    input_->point();
+    if (surface_->draws_on_cpu()) session_->note_showing(watch.ms());
+    input_->panels_are_drawn();
     swapped_ = Clock::now();
     message_ = session_->message();
     if (frame_is_new_) session_->shown(*frame_, swapped_);
@@ -215,6 +218,7 @@ void Window::run()
         const bool iconified = glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) != 0;
         const bool shows = !iconified && is_due(now);
         if (shows) show(now);
+        if (iconified) input_->panels_are_drawn(); // there are none to wait for
         if (!script_) continue;
         redraws_ = std::max(redraws_, 1); // panels answer a script's hand
         if (!shows && !iconified && now - swapped_ < kPanelsWait)

@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,9 @@ constexpr auto kKeys =
         {GLFW_KEY_DOWN, "down"}, {GLFW_KEY_TAB, "tab"}, {GLFW_KEY_F1, "f1"}, {GLFW_KEY_F5, "f5"},
         {GLFW_KEY_F12, "f12"}, {GLFW_KEY_ESCAPE, "escape"}, {GLFW_KEY_BACKSPACE, "backspace"},
         {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_ENTER, "enter"}, {GLFW_KEY_KP_ENTER, "enter"}});
+
+/// ImGui knows what is under the pointer when panels are drawn, and which field takes letters a draw later.
+constexpr int kDrawsOfMove = 1, kDrawsOfPress = 2;
 
 /// Keys of the session that are known by the sign that they type.
 constexpr std::string_view kSigns = "?+-=.,[]";
@@ -61,12 +65,38 @@ std::string key_name(int glfw_key, int modifiers)
     return shift && !name.empty() ? "shift+" + name : name;
 }
 
+void WindowInput::when_drawn(std::function<void()> act)
+{
+    if (draws_ == 0 && waiting_.empty())
+        act();
+    else
+        waiting_.push_back(std::move(act));
+}
+
+void WindowInput::panels_are_drawn()
+{
+    if (draws_ > 0) --draws_;
+    point();
+    while (draws_ == 0 && !waiting_.empty()) {
+        const std::function<void()> act = std::move(waiting_.front());
+        waiting_.pop_front();
+        act();
+    }
+}
+
 void WindowInput::pointer_moves(double x, double y)
 {
-    ImGui::GetIO().MousePos = {float(x), float(y)};
-    x_ = x;
-    y_ = y;
-    point();
+    const auto move = [this, x, y] {
+        ImGui::GetIO().MousePos = {float(x), float(y)};
+        x_ = x;
+        y_ = y;
+        if (!session_holds_) draws_ = std::max(draws_, kDrawsOfMove); // a drag goes on anywhere
+        point();
+    };
+    if (waiting_.empty())
+        move(); // the picture follows at once
+    else
+        when_drawn(move);
 }
 
 void WindowInput::point()
@@ -80,13 +110,19 @@ void WindowInput::point()
 
 void WindowInput::button(Button button, bool down, bool shift)
 {
+    when_drawn([this, button, down, shift] { press(button, down, shift); });
+}
+
+void WindowInput::press(Button button, bool down, bool shift)
+{
+    draws_ = kDrawsOfPress;
     ImGuiIO& io = ImGui::GetIO();
     const int number = button == Button::left ? 0 : button == Button::right ? 1 : 2;
     if (down && io.WantCaptureMouse) {
         io.MouseDown[number] = true;
         return;
     }
-    if (!session_holds_) io.MouseDown[number] = down;
+    io.MouseDown[number] = down; // beside the panels: a field gives up the keyboard
     session_holds_ = down;
     session_.button(button, down, shift);
 }
@@ -102,9 +138,17 @@ void WindowInput::scroll(double steps)
 
 void WindowInput::key(const std::string& name, bool down)
 {
+    when_drawn([this, name, down] { take_key(name, down); });
+}
+
+void WindowInput::take_key(const std::string& name, bool down)
+{
     ImGuiIO& io = ImGui::GetIO();
     const int field = field_key(name);
-    if (field >= 0) io.KeysDown[field] = down && io.WantTextInput;
+    if (field >= 0) {
+        io.KeysDown[field] = down && io.WantTextInput;
+        draws_ = std::max(draws_, kDrawsOfMove); // or a key that is let go at once is never seen
+    }
     if (down && io.WantTextInput) return;
     session_.key(name, down);
     // A key that was pressed with shift may be let go without it.
@@ -112,6 +156,11 @@ void WindowInput::key(const std::string& name, bool down)
 }
 
 void WindowInput::letter(unsigned code)
+{
+    when_drawn([this, code] { take_letter(code); });
+}
+
+void WindowInput::take_letter(unsigned code)
 {
     if (ImGui::GetIO().WantTextInput) {
         ImGui::GetIO().AddInputCharacter(code);

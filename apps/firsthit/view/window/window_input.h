@@ -3,6 +3,7 @@
 
 #include "view/script/script_player.h"
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <utility>
@@ -15,8 +16,6 @@ class WindowInput : public InputTarget {
     explicit WindowInput(ViewSession& session) : session_(session) {}
 
     void pointer_moves(double x, double y) override;
-    /// Gives the pointer to the panel or the picture that it is over. To be called after panels are drawn.
-    void point();
     void button(Button button, bool down, bool shift) override;
     void scroll(double steps) override;
     void key(const std::string& name, bool down) override;
@@ -26,6 +25,11 @@ class WindowInput : public InputTarget {
     /// A character that is typed: into a field of a panel, or as a key of the session that is known by its sign,
     /// wherever the keyboard has it.
     void letter(unsigned code);
+    /// Panels were drawn, and know what the pointer is over and which field takes letters: what waited for that is
+    /// done.
+    void panels_are_drawn();
+    /// Whether input waits for panels to be drawn.
+    bool waits() const { return !waiting_.empty(); }
 
     /// Pixels in a unit of the window.
     void set_scale(double scale) { scale_ = scale; }
@@ -38,7 +42,17 @@ class WindowInput : public InputTarget {
     void set_window(OfWindow window) { window_ = std::move(window); }
 
   private:
+    /// Does something now, or when panels are drawn: a press belongs to what lies under the place that the pointer
+    /// has moved to, and a letter to the field that was pressed.
+    void when_drawn(std::function<void()> act);
+    void point();
+    void press(Button button, bool down, bool shift);
+    void take_key(const std::string& name, bool down);
+    void take_letter(unsigned code);
+
     ViewSession& session_;
+    std::deque<std::function<void()>> waiting_;
+    int draws_ = 0; // of panels that are to come before they know of the last move or press
     double scale_ = 1;
     double x_ = -1, y_ = -1;     // of the pointer
     bool session_holds_ = false; // a button that was pressed on the picture
