@@ -1,7 +1,7 @@
 # hidden_screen.sh - a screen that nobody sees, for tests of the window. Sourced after cli_checks.sh. Ends the test with 77,
 # which ctest counts as skipped, where Xvfb or the window is missing.
 command -v Xvfb >/dev/null || { echo "skipped: no Xvfb (apt-get install xvfb)"; exit 77; }
-if DISPLAY= WAYLAND_DISPLAY= "$program" view builtin:torus 2>&1 | grep -q "built without a window"; then
+if grep -q "built without a window" <<<"$(DISPLAY= WAYLAND_DISPLAY= "$program" view builtin:torus 2>&1)"; then
     echo "skipped: this firsthit was built without a window"
     exit 77
 fi
