@@ -225,6 +225,7 @@ int run_render(const RenderOptions& given)
     const bool has_lights = !options.light.lights.empty();
     std::optional<ViewMaker> views;
     GroundMaker ground(options, views);
+    if (options.ground.wanted) ground.look_at_first_frame(scene_changes(options));
     SceneSource source(options.scene, [&, change = scene_changes(options)](Scene& scene) {
         change(scene);
         if (options.ground.wanted) ground.add(scene);

@@ -35,6 +35,17 @@ for frame in 1 2 3 4; do
     [ "$moves" -gt 0 ] || fail "motion of frame $frame of a sequence is 0 everywhere"
 done
 
+# A floor lies under the first frame that is shown, and the camera shows what it shows without it.
+for frame in 0 4.5; do
+    expect 0 '' render frames/%04d.obj --fps 1 --time $frame --aov item=plain.npy --size 16x16
+    expect 0 '' render frames/%04d.obj --fps 1 --time $frame --aov item=floor.npy --size 16x16 --ground
+    python3 - <<'EOF' || fail "at $frame s the floor moves the camera"
+ids = [open(name, "rb").read()[-1024:] for name in ("plain.npy", "floor.npy")]
+seen = [[k for k in range(256) if data[4 * k:4 * k + 4] == bytes(4)] for data in ids]
+assert seen[0] and seen[0] == seen[1], seen
+EOF
+done
+
 # --- warnings, errors ---------------------------------------------------------------------------
 rm frames/0004.obj frames/0005.obj
 expect 0 'warning: .*2 of the numbers from 1 to 8 have no file \(the first is frames/0004.obj\)' info frames/%04d.obj

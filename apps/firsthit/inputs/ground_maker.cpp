@@ -1,6 +1,8 @@
 // ground_maker.cpp - puts a floor under the scenes of a run (--ground).
 #include "inputs/ground_maker.h"
 
+#include "inputs/scene_source.h"
+
 #include <firsthit/framing.h>
 #include <firsthit/render.h>
 #include <firsthit/world.h>
@@ -63,20 +65,37 @@ glm::vec3 brightness(
 void GroundMaker::add(Scene& scene)
 {
     const std::scoped_lock lock(mutex_);
-    if (!ground_) ground_ = find(scene);
+    if (!ground_) {
+        const std::shared_ptr<const Scene> borrowed(
+            &scene, [](const Scene*) {}); // while find looks at it
+        ground_ = find(borrowed);
+    }
     add_ground(scene, *ground_);
 }
 
-Ground GroundMaker::find(Scene& scene)
+void GroundMaker::look_at_first_frame(const std::function<void(Scene&)>& change)
 {
-    const std::shared_ptr<const Scene> shared(
-        &scene, [](const Scene*) {}); // for as long as this takes
+    if (options_.scene.name.find('%') == std::string::npos) return;
+    SceneSequence sequence = open_scene(options_.scene, change);
+    if (!sequence.is_numbered()) return;
+    const double time_s = first_time_s(*sequence.frame(0));
+    const std::scoped_lock lock(mutex_);
+    ground_ = find(sequence.scene_at(time_s));
+}
+
+double GroundMaker::first_time_s(const Scene& scene) const
+{
+    return frames_of(options_, scene, pose_settings(options_.scene.pose, scene)).time_s.front();
+}
+
+Ground GroundMaker::find(const std::shared_ptr<const Scene>& scene)
+{
     CameraOptions camera = options_.camera;
-    take_size(scene, camera);
-    PoseSettings chosen = pose_settings(options_.scene.pose, scene);
-    chosen.time_s = frames_of(options_, scene, chosen).time_s.front();
+    take_size(*scene, camera);
+    PoseSettings chosen = pose_settings(options_.scene.pose, *scene);
+    chosen.time_s = first_time_s(*scene);
     World world;
-    pose(shared, chosen, world);
+    pose(scene, chosen, world);
     const std::string name = options_.scene.shown_name();
     views_.emplace(camera, name);
     const View view = views_->view(world);
@@ -100,7 +119,7 @@ Ground GroundMaker::find(Scene& scene)
     }
     const glm::vec3 lit = brightness(world, view, ground, options_);
     for (int c = 0; c < 3; ++c)
-        ground.color[c] = lit[c] > 0 ? scene.background[c] / lit[c] : scene.background[c];
+        ground.color[c] = lit[c] > 0 ? scene->background[c] / lit[c] : scene->background[c];
     return ground;
 }
 

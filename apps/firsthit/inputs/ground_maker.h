@@ -5,13 +5,15 @@
 
 #include <firsthit/ground.h>
 
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 
 namespace firsthit::cli {
 
-/// Puts the same floor under all scenes of a run: under the lowest point of the first one at the first frame.
-/// The cameras frame that one before it has a floor. Threads may share it.
+/// Puts the same floor under all scenes of a run: under the lowest point of the first frame. The cameras frame that
+/// one before it has a floor. Threads may share it.
 class GroundMaker {
   public:
     /// options  outlive it
@@ -22,12 +24,20 @@ class GroundMaker {
     {
     }
 
+    /// Finds the floor of numbered files, whose first frame may lie between two of them; of a single file, add does.
+    /// change  what is done to every scene before it gets a floor
+    /// throws  as open_scene, pose and frames_of
+    void look_at_first_frame(const std::function<void(Scene&)>& change);
+
     /// throws  as pose and frames_of
     void add(Scene& scene);
 
   private:
     /// The floor of a scene that has none yet.
-    Ground find(Scene& scene);
+    Ground find(const std::shared_ptr<const Scene>& scene);
+
+    /// The time of the run's first frame.
+    double first_time_s(const Scene& scene) const;
 
     const RenderOptions& options_;
     std::optional<ViewMaker>& views_;

@@ -32,14 +32,14 @@ SequenceSettings settings_of(const SceneOptions& options, std::function<void(Sce
     return settings;
 }
 
-SceneSequence open(const SceneOptions& options, std::function<void(Scene&)> change)
+} // namespace
+
+SceneSequence open_scene(const SceneOptions& options, std::function<void(Scene&)> change)
 {
     SequenceSettings settings = settings_of(options, std::move(change));
     if (options.name == "-") return read_standard_input(options.format, std::move(settings));
     return SceneSequence(options.name, settings);
 }
-
-} // namespace
 
 WarningPrinter::~WarningPrinter()
 {
@@ -60,7 +60,7 @@ void WarningPrinter::print(const std::vector<std::string>& warnings)
 }
 
 SceneSource::SceneSource(const SceneOptions& options, std::function<void(Scene&)> change)
-    : sequence_(open(options, std::move(change)))
+    : sequence_(open_scene(options, std::move(change)))
 {
     warnings_.print(sequence_.warnings());
 }

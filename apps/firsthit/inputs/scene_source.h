@@ -14,6 +14,11 @@
 
 namespace firsthit::cli {
 
+/// A scene or sequence; nothing is printed.
+/// change  as SequenceSettings::change
+/// throws  as SceneSequence; UsageError: --fps with a single scene
+SceneSequence open_scene(const SceneOptions& options, std::function<void(Scene&)> change = {});
+
 /// Prints warnings about files to stderr. Of a sequence a warning is printed once where frames differ in
 /// nothing but numbers, and how many others there were at the end of its life.
 class WarningPrinter {
