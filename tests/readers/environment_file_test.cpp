@@ -2,6 +2,8 @@
 #include "message_of.h"
 #include "temporary_folder.h"
 
+#include "readers/image/environment_file.h"
+
 #include <firsthit/environment.h>
 #include <firsthit/error.h>
 #include <firsthit/film.h>
@@ -111,6 +113,24 @@ TEST(EnvironmentFile, SaysWhatIsWrong)
     }).find("unknown ending '.jpg'"),
         std::string::npos);
     EXPECT_THROW(load_environment((folder.path() / "missing.hdr").string()), FileError);
+}
+
+TEST(EnvironmentFile, AnAttributeThatPromisesMoreThanTheFileHasTakesNoMemory)
+{
+    using namespace std::string_literals;
+    const std::string begin = "\x76\x2f\x31\x01\x02\0\0\0"s;
+    for (const std::string& attribute :
+        {"a\0opaque\0\xff\xff\xff\x7f"s, "a\0float\0\x08\0\0\0\0\0\0\0\0\0\0\0"s,
+            "channels\0chlist\0\x02\0\0\0RR"s, "p\0preview\0\x08\0\0\0\xff\x7f\0\0\xff\x7f\0\0"s,
+            "s\0stringvector\0\x04\0\0\0\xff\xff\xff\x7f"s, "m\0idmanifest\0\x01\0\0\0x"s}) {
+        try {
+            decode_exr("sky.exr", begin + attribute + "\0"s);
+            ADD_FAILURE() << "read";
+        } catch (const FileError& error) {
+            EXPECT_NE(std::string(error.what()).find("an attribute is damaged"), std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 } // namespace

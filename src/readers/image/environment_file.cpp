@@ -18,10 +18,12 @@
 #include <stb/stb_image.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace firsthit {
@@ -140,11 +142,104 @@ class MemoryStream : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
+std::size_t number_of_4(std::string_view bytes)
+{
+    std::size_t number = 0;
+    for (std::size_t k = 4; k > 0; --k)
+        number = number << 8 | static_cast<unsigned char>(bytes[k - 1]);
+    return number;
+}
+
+/// Whether channels end where their attribute ends: each is a name and 16 bytes, and a zero ends them.
+bool is_channel_list(std::string_view value)
+{
+    for (std::size_t at = 0;;) {
+        const std::size_t end = value.find('\0', at);
+        if (end == value.npos) return false;
+        if (end == at) return at + 1 == value.size();
+        at = end + 1 + 16;
+        if (at > value.size()) return false;
+    }
+}
+
+/// Whether texts, each behind its length, end where their attribute ends.
+bool is_text_list(std::string_view value)
+{
+    while (!value.empty()) {
+        if (value.size() < 4) return false;
+        const std::size_t length = number_of_4(value);
+        if (length > value.size() - 4) return false;
+        value.remove_prefix(4 + length);
+    }
+    return true;
+}
+
+/// Whether OpenEXR reads as many bytes of an attribute's value as it says to have.
+bool is_sound(std::string_view type, std::string_view value)
+{
+    constexpr auto kSizes = std::to_array<std::pair<std::string_view, std::size_t>>(
+        {{"box2i", 16}, {"box2f", 16}, {"chromaticities", 32}, {"compression", 1},
+            {"deepImageState", 1}, {"double", 8}, {"envmap", 1}, {"float", 4}, {"int", 4},
+            {"keycode", 28}, {"lineOrder", 1}, {"m33f", 36}, {"m33d", 72}, {"m44f", 64},
+            {"m44d", 128}, {"rational", 8}, {"tiledesc", 9}, {"timecode", 8}, {"v2i", 8},
+            {"v2f", 8}, {"v2d", 16}, {"v3i", 12}, {"v3f", 12}, {"v3d", 24}});
+    for (const auto& [name, size] : kSizes)
+        if (type == name) return value.size() == size;
+    if (type == "chlist") return is_channel_list(value);
+    if (type == "stringvector") return is_text_list(value);
+    if (type == "floatvector") return value.size() % 4 == 0;
+    if (type == "preview")
+        return value.size() >= 8 && number_of_4(value) < (1u << 15) &&
+               number_of_4(value.substr(4)) < (1u << 15) &&
+               8 + 4 * number_of_4(value) * number_of_4(value.substr(4)) == value.size();
+    return type != "idmanifest"; // which packs lists of its own; others are taken as they are
+}
+
+/// Whether every attribute of the headers fits into the file, and its value into the attribute. OpenEXR gets memory
+/// for as many bytes as a file says, up to 2 GB, before it looks.
+///
+/// source  Academy Software Foundation, "OpenEXR File Layout": attribute layout, multi-part files
+bool has_whole_attributes(std::string_view bytes)
+{
+    constexpr std::size_t kBegin = 8;          // behind the magic number and the version
+    constexpr unsigned char kMultiPart = 0x10; // of the version's second byte
+    if (bytes.size() < kBegin) return false;
+    const bool several = static_cast<unsigned char>(bytes[5]) & kMultiPart;
+    bool in_header = false;
+    for (std::size_t at = kBegin;;) {
+        const std::size_t name_end = bytes.find('\0', at);
+        if (name_end == bytes.npos) return false;
+        if (name_end == at) { // the end of a header; of several, an empty one ends them all
+            if (!several || !in_header) return true;
+            in_header = false;
+            ++at;
+            continue;
+        }
+        in_header = true;
+        const std::size_t type_end = bytes.find('\0', name_end + 1);
+        if (type_end == bytes.npos || bytes.size() - type_end < 5) return false;
+        const std::size_t size = number_of_4(bytes.substr(type_end + 1));
+        at = type_end + 5;
+        if (size > bytes.size() - at) return false;
+        if (!is_sound(bytes.substr(name_end + 1, type_end - name_end - 1), bytes.substr(at, size)))
+            return false;
+        at += size;
+    }
+}
+
 } // namespace
 
 RadiancePicture decode_exr(const std::string& name, const std::string& bytes)
 {
+    // OpenEXR gets memory for lines of any width before it tells the size; films are no larger than this.
+    [[maybe_unused]] static const bool limited = [] {
+        constexpr int kMostOfAll = 1 << 16;
+        Imf::Header::setMaxImageSize(kMostOfAll, kMostOfAll);
+        return true;
+    }();
     try {
+        if (!has_whole_attributes(bytes))
+            throw std::runtime_error("it is cut off, or an attribute is damaged");
         MemoryStream stream(name, bytes);
         Imf::InputFile file(stream, 0);
         const Imath::Box2i window = file.header().dataWindow();
