@@ -23,6 +23,10 @@ expect_error 2 "SCENE is required" view
 expect_error 2 "bad.txt:2: 'jump' is no action: accepted are key" view builtin:torus --no-window --script bad.txt
 expect_error 1 "untrue.txt:2: engine is cpu, not gpu" view builtin:torus --no-window --script untrue.txt --size 64x64
 expect_error 1 "no.txt: cannot be read" view builtin:torus --no-window --script no.txt
+: >empty.txt
+mkdir folder.txt
+expect_error 1 "empty.txt: the file is empty" view builtin:torus --no-window --script empty.txt
+expect_error 1 "folder.txt: cannot be read" view builtin:torus --no-window --script folder.txt
 expect_error 1 "missing.off" view missing.off --no-window --script picture.txt
 expect_error 2 "--no-window plays a script" view builtin:torus --no-window
 expect_error 2 "--screenshot is of the end of a script" view builtin:torus --screenshot a.png

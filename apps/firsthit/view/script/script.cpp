@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace firsthit::cli::view {
@@ -194,10 +195,16 @@ std::vector<Action> parse_script(const std::string& text, const std::string& nam
 std::string read_text(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf()))
-        throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-    return text.str();
+    std::string text;
+    if (!file) throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    try {
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    } catch (const std::ios_base::failure& error) { // a folder, as one
+        throw FileError(
+            fmt::format("{}: cannot be read: {}", path, std::strerror(error.code().value())));
+    }
+    if (text.empty()) throw FileError(path + ": the file is empty");
+    return text;
 }
 
 } // namespace firsthit::cli::view
