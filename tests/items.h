@@ -46,6 +46,7 @@ struct EyeWorld {
         Tasks tasks(1);
         const View filled = checked(view);
         memory.pencil = pencil_of(filled, filled.region, 1);
+        reach_all(world.position, memory.pencil);
         take_triangles(*world.scene, memory);
         project_vertices(world.position, memory.pencil, memory, tasks);
         triangles = {

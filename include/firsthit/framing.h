@@ -14,15 +14,17 @@ struct Framing {
     double aspect = 1;                      // the picture's width by its height, above 0
     double fov_y_rad = 0.78539816339744831; // full vertical angle, in (0, pi)
     bool all_around =
-        false;            // the eye looks at the middle of the bounding box, and all stays in the
-                          // picture when it goes round it
+        false; // the eye looks at the middle of the bounding box, and all stays in the
+               // picture when it goes round it
+    bool orthographic =
+        false;            // parallel rays: fov_y_rad is unused, and the picture's height is found
     double margin = 0.05; // of the picture's half width or height that stays free, 0 to 0.9
 };
 
 /// The camera that looks along -towards_eye from as near as possible, so that all vertices are in the
 /// picture. Unless `all_around` is set, they reach its margin at two opposite sides and lie in the middle
 /// between the others; but the eye stays a twentieth of the bounding box's diagonal off the nearest vertex. A
-/// world without extent is seen from some way off.
+/// world without extent is seen from some way off. The eye of an orthographic camera is before all vertices.
 Camera framing_camera(const World& world, const Framing& framing);
 
 /// Usual directions to look from.

@@ -30,7 +30,8 @@ using Pair = std::array<double, 2>;
 
 SizedCamera make_camera(const py::object& eye, const py::object& direction, const py::object& up,
     const py::object& size, double fov_y, const std::optional<Pair>& focal,
-    const std::optional<Pair>& principal_point, double skew)
+    const std::optional<Pair>& principal_point, double skew,
+    const std::optional<double>& orthographic_height)
 {
     SizedCamera made;
     Camera& camera = made.view.camera;
@@ -42,6 +43,7 @@ SizedCamera make_camera(const py::object& eye, const py::object& direction, cons
     if (principal_point)
         camera.principal_point = glm::dvec2((*principal_point)[0], (*principal_point)[1]);
     camera.skew = skew;
+    camera.orthographic_height = orthographic_height;
     std::tie(made.view.width, made.view.height) = picture_size(size);
     return made;
 }
@@ -97,6 +99,7 @@ SizedCamera frame(PosedWorld& world, const std::string& view, const py::object& 
 py::object focal_of(const SizedCamera& self)
 {
     const Camera& camera = self.view.camera;
+    if (camera.orthographic_height) return py::none();
     if (camera.focal) return py::make_tuple(camera.focal->x, camera.focal->y);
     const double f = self.view.height / (2 * std::tan(camera.fov_y_rad / 2));
     return py::make_tuple(f, f);
@@ -113,11 +116,12 @@ py::object principal_point_of(const SizedCamera& self)
 
 void add_cameras(py::module_& module)
 {
-    py::class_<SizedCamera>(module, "Camera", "A pinhole camera and the size of its picture.")
+    py::class_<SizedCamera>(
+        module, "Camera", "A pinhole or orthographic camera and the size of its picture.")
         .def(py::init(&make_camera), py::kw_only(), py::arg("eye"), py::arg("direction"),
             py::arg("up"), py::arg("size"), py::arg("fov_y") = 0.78539816339744831,
             py::arg("focal") = py::none(), py::arg("principal_point") = py::none(),
-            py::arg("skew") = 0.0)
+            py::arg("skew") = 0.0, py::arg("orthographic_height") = py::none())
         .def_property_readonly(
             "eye", [](const SizedCamera& self) { return to_array(self.view.camera.eye); })
         .def_property_readonly("direction",
@@ -130,6 +134,8 @@ void add_cameras(py::module_& module)
         .def_property_readonly("principal_point", &principal_point_of)
         .def_property_readonly(
             "skew", [](const SizedCamera& self) { return self.view.camera.skew; })
+        .def_property_readonly("orthographic_height",
+            [](const SizedCamera& self) { return self.view.camera.orthographic_height; })
         .def_readonly("name", &SizedCamera::name)
         .def(
             "turned",

@@ -114,6 +114,16 @@ def test_intrinsics_cameras_are_those_of_opencv_with_corners():
     assert j.min() == np.ceil(20 - 50 / 3 - 0.5) and j.max() == np.ceil(20 + 50 / 3 - 0.5) - 1
 
 
+def test_orthographic_cameras_have_the_height_of_two_ymag():
+    scene = one_square()
+    scene.add(moved(z=3), camera=types.SimpleNamespace(xmag=7.0, ymag=1.5))
+    depth = OffscreenRenderer(64, 48).render(scene, flags=RenderFlags.DEPTH_ONLY)
+    j, i = np.nonzero(depth)
+    assert (i.min(), i.max() + 1) == (32 - 16, 32 + 16)  # the square is 2 of 3 high, 32 of 48 pixels
+    assert (j.min(), j.max() + 1) == (24 - 16, 24 + 16)
+    np.testing.assert_allclose(depth[j, i], 3, rtol=1e-6)
+
+
 def test_lights_ambient_textures_and_instances():
     picture = np.zeros((2, 2, 3), np.uint8)
     picture[0] = [255, 0, 0]
@@ -153,7 +163,7 @@ def test_what_cannot_be_rendered_says_so():
     with pytest.raises(NotImplementedError, match="triangles"):
         OffscreenRenderer(8, 8).render(scene)
     scene = one_square()
-    scene.add(camera=types.SimpleNamespace(xmag=1.0, ymag=1.0))
+    scene.add(camera=types.SimpleNamespace(fisheye=1.0))
     with pytest.raises(NotImplementedError, match="perspective"):
         OffscreenRenderer(8, 8).render(scene)
     assert issubclass(fh.SceneError, ValueError)

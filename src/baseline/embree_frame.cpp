@@ -6,6 +6,8 @@
 #include "cpu/film_planes.h"
 #include "film/film_size.h"
 
+#include <firsthit/error.h>
+
 #include <algorithm>
 
 namespace firsthit {
@@ -32,6 +34,9 @@ void prepare(const FrameContext& frame, const Settings& settings, EmbreeFrameMem
     const std::size_t lights = frame.world.lights.size();
     const auto threads = std::size_t(frame.tasks.threads());
     const auto samples = std::size_t(settings.tile_size) * std::size_t(settings.tile_size);
+    if (frame.view.camera.orthographic_height)
+        throw ArgumentError(
+            "the baseline has no orthographic cameras: choose one with a field of view");
     lay_out(pencil_of(frame.view, frame.view.region, 1), settings.tile_size, memory.layout);
     resize(memory.hits, settings.tile_size, threads);
     while (memory.workers.size() < threads)

@@ -112,7 +112,7 @@ void average_color(const PixelRect& rect, const TilePlace& place,
     }
 }
 
-/// Stores the distances from the eye, computed from depths along the axis.
+/// Stores the distances from where the rays start, computed from depths along the axis.
 ///
 /// shear  Pencil::shear
 void store_distance(
@@ -166,7 +166,10 @@ void store_hits(const PixelRect& rect, const HitTile& hits, const Pencil& pencil
         const float* const weight[] = {hits.u, hits.v};
         copy_plane(rect, film, hits.size, weight, film[Aov::barycentric].value.data());
     }
-    if (!film[Aov::distance].empty())
+    if (!film[Aov::distance].empty() && pencil.parallel) {
+        const float* const t[] = {hits.t};
+        copy_plane(rect, film, hits.size, t, film[Aov::distance].value.data());
+    } else if (!film[Aov::distance].empty())
         store_distance(rect, hits, pencil.shear, film.width, film[Aov::distance].value.data());
 }
 

@@ -47,8 +47,9 @@ bool begin_part(const FramePart& part)
     const FrameContext& frame = part.frame;
     const PassPlan& pass = part.pass;
     FrameMemory& memory = part.memory;
-    lay_out(
-        pencil_of(frame.view, part.pixels, pass.samples, frame.steps), pass.tile_size, memory.view);
+    Pencil pencil = pencil_of(frame.view, part.pixels, pass.samples, frame.steps);
+    reach_all(frame.world.position, pencil);
+    lay_out(pencil, pass.tile_size, memory.view);
     if (pass.only && !find_marked(part)) return false;
     const std::size_t tiles = tiles_of(part);
     if (tiles == 0) return true;

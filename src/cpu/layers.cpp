@@ -73,7 +73,7 @@ class Layers {
         const PixelMarks* only)
         : world_(world),
           view_(view),
-          pencil_(pencil_of(view, view.region, 1)),
+          pencil_(pencil_of(world, view, view.region)),
           tasks_(tasks),
           memory_(memory)
     {
@@ -125,6 +125,13 @@ class Layers {
     }
 
   private:
+    static Pencil pencil_of(const World& world, const View& view, const Region& region)
+    {
+        Pencil pencil = firsthit::pencil_of(view, region, 1);
+        reach_all(world.position, pencil);
+        return pencil;
+    }
+
     /// Lets nothing be seen at the samples of pixels that are not marked.
     void leave_out(const PixelMarks& marks)
     {
@@ -152,7 +159,7 @@ class Layers {
         if (item == kNoItem || !is_blended_[scene.instances[scene.owner[item]].material]) return 1;
         const auto width = std::size_t(pencil_.width);
         const glm::vec3 d = pencil_.tile(0, 0).direction(int(k % width), int(k / width));
-        const auto [u, v] = rounded_barycentrics(corners_of(memory_.mesh, item), d);
+        const auto [u, v] = memory_.mesh.cutouts.weights(corners_of(memory_.mesh, item), d);
         return std::min(opacity(scene, item, u, v), 1.0f);
     }
 
@@ -174,7 +181,7 @@ class Layers {
         if (memory_.open.empty()) return false;
         const Region& all = view_.region;
         const Pencil pencil =
-            pencil_of(view_, {all.x + part.x, all.y + part.y, part.width, part.height}, 1);
+            pencil_of(world_, view_, {all.x + part.x, all.y + part.y, part.width, part.height});
         find_corners(pencil, 0);
         const std::span<const std::uint32_t> found = find_listed_items(
             pencil, memory_.mesh, {memory_.open, memory_.last}, memory_.lazy, tasks_);

@@ -46,6 +46,8 @@ void Cutouts::find(const Scene& scene, float blend_cutoff)
 {
     scene_ = &scene;
     blend_cutoff_ = blend_cutoff;
+    parallel_ = false;
+    nearest_ = 0;
     word_.clear();
     for (const Instance& instance : scene.instances) {
         if (instance.triangle_count == 0 ||
@@ -58,11 +60,27 @@ void Cutouts::find(const Scene& scene, float blend_cutoff)
     }
 }
 
+void Cutouts::look_along(
+    const Pencil& pencil, std::span<const glm::vec4> corner, std::span<const glm::uvec3> index)
+{
+    parallel_ = pencil.parallel;
+    nearest_ = pencil.nearest;
+    const auto is_behind = [&](std::uint32_t vertex) { return !(corner[vertex].z > nearest_); };
+    for (std::size_t t = 0; t < index.size(); ++t) {
+        const glm::uvec3& c = index[t];
+        if (!is_behind(c.x) && !is_behind(c.y) && !is_behind(c.z)) continue;
+        if (word_.empty()) word_.resize((index.size() + 63) / 64);
+        word_[t / 64] |= std::uint64_t(1) << t % 64;
+    }
+}
+
 bool Cutouts::is_solid(std::uint32_t triangle, const Corners& corners, const glm::vec3& d) const
 {
-    const auto [u, v] = rounded_barycentrics(corners, d);
+    if (nearest_ > 0 && !is_beyond(corners, d, nearest_)) return false;
     const Material& material =
         scene_->materials[scene_->instances[scene_->owner[triangle]].material];
+    if (material.alpha == AlphaMode::opaque) return true;
+    const auto [u, v] = weights(corners, d);
     return opacity(*scene_, triangle, u, v) >= cutoff_of(material, blend_cutoff_);
 }
 

@@ -7,12 +7,15 @@
 #pragma once
 
 #include "exact/hit.h"
+#include "exact/pencil.h"
 #include "exact/shadow_ray.h"
 
 #include <firsthit/scene.h>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,6 +43,22 @@ class Cutouts {
     /// blend_cutoff  kSeenOpacity for what is seen, kShadowOpacity for what shadows
     void find(const Scene& scene, float blend_cutoff);
 
+    /// To be called after find(), for an orthographic camera: the triangles that reach behind its eye become
+    /// cut-outs too, which are there only in front of it.
+    ///
+    /// corner  (V) the vertices in the pencil's eye space; the fourth coordinate is unused
+    /// index   (T) of the scene's triangles, or empty
+    void look_along(
+        const Pencil& pencil, std::span<const glm::vec4> corner, std::span<const glm::uvec3> index);
+
+    /// The weights of corners 1 and 2 at the point where the ray along d hits a triangle, each rounded to
+    /// float: rounded_barycentrics, or after look_along() those of parallel rays.
+    std::array<float, 2> weights(const Corners& corners, const glm::vec3& d) const
+    {
+        return parallel_ ? rounded_parallel_barycentrics(corners, d)
+                         : rounded_barycentrics(corners, d);
+    }
+
     /// Whether there are any.
     bool any() const { return !word_.empty(); }
 
@@ -66,6 +85,8 @@ class Cutouts {
 
   private:
     const Scene* scene_ = nullptr;
+    bool parallel_ = false; // the rays are those of an orthographic camera
+    float nearest_ = 0;     // Pencil::nearest
     float blend_cutoff_ = kShadowOpacity;
     std::vector<std::uint64_t> word_; // (T) a bit for each triangle; empty: none
 };

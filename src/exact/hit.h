@@ -122,4 +122,12 @@ std::array<double, 2> exact_barycentrics(const Corners& c, const glm::vec3& d);
 /// roundings of the exact weights, whatever instructions they are found by.
 std::array<float, 2> rounded_barycentrics(const Corners& c, const glm::vec3& d);
 
+/// The weights in the world where c is in the space of parallel rays (Pencil::parallel in exact/pencil.h):
+/// there a corner counts by its z. From exact sums, by a few roundings of double and one to float, so the
+/// bits are the same everywhere. 0 below 2^-126.
+std::array<float, 2> rounded_parallel_barycentrics(const Corners& c, const glm::vec3& d);
+
+/// Whether the depth t of a hit is greater than `nearest`, exactly.
+bool is_beyond(const Corners& c, const glm::vec3& d, float nearest);
+
 } // namespace firsthit

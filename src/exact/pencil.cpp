@@ -1,11 +1,14 @@
 // pencil.cpp - a camera's frame and its samples.
 #include "exact/pencil.h"
 
+#include "exact/hit.h"
+
 #include <firsthit/error.h>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include <limits>
 #include <numbers>
 
 namespace firsthit {
@@ -21,6 +24,8 @@ constexpr double kShortestFocal = 1e-12; // in pixels
 constexpr double kFarthestPrincipalPoint = 131072; // in pixels
 
 constexpr double kGreatestSkew = 1000; // times fx
+
+constexpr double kLeastHeight = 1e-12, kGreatestHeight = 1e12; // of an orthographic picture
 
 /// A camera's intrinsics, in samples.
 struct Intrinsics {
@@ -77,6 +82,24 @@ Intrinsics intrinsics_of(const View& view, int samples)
     return intrinsics;
 }
 
+/// The samples in a world unit of an orthographic camera, in the place of its focal lengths.
+Intrinsics orthographic_scale(const View& view, int samples)
+{
+    const Camera& camera = view.camera;
+    const double height = *camera.orthographic_height;
+    if (camera.focal || camera.principal_point || camera.skew != 0)
+        throw ArgumentError("an orthographic camera has no focal lengths, principal point or skew");
+    if (!(kLeastHeight <= height && height <= kGreatestHeight))
+        throw ArgumentError(
+            fmt::format("orthographic height {:g} is out of range: {:g} to {:g} world "
+                        "units",
+                height, kLeastHeight, kGreatestHeight));
+    Intrinsics intrinsics;
+    intrinsics.f = glm::dvec2(view.height * double(samples) / height);
+    intrinsics.principal_point = glm::dvec2(0.5 * view.width, 0.5 * view.height) * double(samples);
+    return intrinsics;
+}
+
 /// The nearest multiple of 1/2; of two, the greater.
 double whole_halves(double x)
 {
@@ -95,7 +118,8 @@ void add_scaled(glm::dvec3& sum, double factor, const glm::dvec3& v)
 Pencil pencil_of(const View& view, const Region& region, int samples, const PixelSteps& steps)
 {
     const Camera& camera = view.camera;
-    const Intrinsics intrinsics = intrinsics_of(view, samples);
+    const Intrinsics intrinsics = camera.orthographic_height ? orthographic_scale(view, samples)
+                                                             : intrinsics_of(view, samples);
     const glm::dvec3 right = glm::cross(camera.direction, camera.up);
     const double reach = glm::length(camera.direction) * glm::length(camera.up);
     if (!(glm::length(right) > 1e-12 * reach) || !std::isfinite(reach) ||
@@ -115,6 +139,7 @@ Pencil pencil_of(const View& view, const Region& region, int samples, const Pixe
     const glm::dvec2 step(steps.x, steps.y);
     pencil.eye = camera.eye;
     pencil.f = f / step;
+    pencil.parallel = camera.orthographic_height.has_value();
 
     // Eye space.
     glm::dvec3 row_x = f.x * x, row_y = f.y * y;
@@ -136,6 +161,27 @@ Pencil pencil_of(const View& view, const Region& region, int samples, const Pixe
     pencil.x0 = (double(region.x) * samples * step.x + 0.5 - middle.x) / step.x;
     pencil.y0 = (double(region.y) * samples * step.y + 0.5 - middle.y) / step.y;
     return pencil;
+}
+
+void reach_all(std::span<const glm::vec3> position, Pencil& pencil)
+{
+    if (!pencil.parallel) return;
+    const glm::dmat3& m = pencil.eye_from_world;
+    double farthest = 0, nearest = std::numeric_limits<double>::infinity();
+    for (const glm::vec3& p : position) {
+        if (!usable(p)) continue;
+        const glm::dvec3 d = glm::dvec3(p) - pencil.eye;
+        const double z = (m[0][2] * d.x + m[1][2] * d.y) + m[2][2] * d.z;
+        if (!(z > 0)) continue;
+        farthest = std::max(farthest, z);
+        nearest = std::min(nearest, z);
+    }
+    // What lies in one plane gets some depth, and the numbers stay apart from one another.
+    double deep = std::max(farthest - nearest, 0x1p-10 * farthest);
+    if (!(deep > 0x1p-60)) deep = 1;
+    pencil.far = farthest + deep;
+    pencil.scale = deep;
+    pencil.nearest = float(deep / pencil.far);
 }
 
 } // namespace firsthit

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace firsthit {
 
@@ -61,11 +62,17 @@ struct Pencil {
     double x0 = 0; // direction of its first sample
     double y0 = 0;
 
-    /// Rays along z instead: moved into this space, a point becomes (x s, y s, s), s = 1 / (far -
+    /// Rays along z instead: moved into this space, a point becomes (x s, y s, s), s = scale / (far -
     /// z). Planes stay planes, x s / s = x, and 1 / s is affine in x and y, as 1 / z is of a pinhole
     /// camera. All points have to have z < far.
     bool parallel = false;
     double far = 0;
+    double scale = 1;
+    /// Of an orthographic camera: what has no greater s is behind its eye. 0: everything is seen.
+    float nearest = 0;
+
+    /// The z of what has s, where the rays are parallel.
+    double parallel_depth(double s) const { return far - scale / s; }
 
     /// The samples from (x, y) of the rectangle on.
     LatticeTile tile(int x, int y) const { return {float(x0 + x), float(y0 + y)}; }
@@ -76,9 +83,17 @@ inline constexpr int kMaxPencil = 8192;
 
 /// The rays of `region` (pixels of the view's picture) with samples x samples rays a pixel, which
 /// are the pixel rays of a picture `samples` times as wide and high. With steps, which need one sample,
-/// `region` is counted in steps, as PixelSteps::shot does.
+/// `region` is counted in steps, as PixelSteps::shot does. An orthographic camera's rays are complete once
+/// reach_all() has been called.
 /// throws  ArgumentError: a camera without a direction; a field of view, focal length, principal point or
-///         skew out of range (firsthit/view.h); or f above 1e15 samples
+///         skew out of range (firsthit/view.h); f above 1e15 samples; or an orthographic height out of
+///         range, or with a lens
 Pencil pencil_of(const View& view, const Region& region, int samples, const PixelSteps& steps = {});
+
+/// Finds `far`, `scale` and `nearest` of an orthographic camera's rays, so that all vertices in front of its
+/// eye get an s from 1/2 to 1. Leaves other pencils alone.
+///
+/// position  (V) in world space
+void reach_all(std::span<const glm::vec3> position, Pencil& pencil);
 
 } // namespace firsthit

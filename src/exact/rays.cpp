@@ -13,7 +13,8 @@ Rays world_rays(const Pencil& pencil, const LatticeTile& tile)
         .down = axes[1],
         .x0 = tile.x0,
         .forward = axes[2],
-        .y0 = tile.y0};
+        .y0 = tile.y0,
+        .parallel = pencil.parallel ? 1 : 0};
 }
 
 Rays transformed(
@@ -28,6 +29,7 @@ Rays transformed(
     to.forward = glm::vec3(axes[2]);
     to.x0 = rays.x0;
     to.y0 = rays.y0;
+    to.parallel = rays.parallel;
     return to;
 }
 

@@ -26,6 +26,7 @@ struct BlockRays {
     real x0, y0; // of the block's origin, see Rays
     real step_x, step_y;
     real3 eye, right, down, forward;
+    bool parallel;
 };
 
 FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
@@ -42,16 +43,27 @@ FIRSTHIT_PURE BlockRays block_rays(const HitTile& hits, std::uint32_t block)
     rays.right = from_glm(tile.right);
     rays.down = from_glm(tile.down);
     rays.forward = from_glm(tile.forward);
+    rays.parallel = tile.parallel != 0;
     return rays;
 }
 
 /// The directions of the samples [first, first + kLanes) of the block, in world space. Not unit
-/// vectors.
+/// vectors; not of parallel rays, whose direction is `forward`.
 FIRSTHIT_PURE real3 ray_direction(const BlockRays& rays, int first)
 {
     return ray_direction(rays.x0 + load(kBlockSamplesXY.x + first),
         rays.y0 + load(kBlockSamplesXY.y + first), rays.step_x, rays.step_y, rays.right, rays.down,
         rays.forward);
+}
+
+/// The points that the samples [first, first + kLanes) of the block see at depths t, in world space.
+FIRSTHIT_PURE real3 hit_positions(const BlockRays& rays, int first, real t)
+{
+    const real x = rays.x0 + load(kBlockSamplesXY.x + first);
+    const real y = rays.y0 + load(kBlockSamplesXY.y + first);
+    const real3 offset = ray_offset(x, y, rays.step_x, rays.step_y, rays.right, rays.down);
+    return rays.parallel ? hit_position(rays.eye + offset, rays.forward, t)
+                         : hit_position(rays.eye, offset + rays.forward, t);
 }
 
 } // namespace HWY_NAMESPACE

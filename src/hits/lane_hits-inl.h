@@ -79,10 +79,14 @@ class DoubtfulTriangles {
     double reach2_;
 };
 
-/// Transforms planes from eye space (see Planes) to world space.
+/// Transforms planes from eye space (see Planes) to world space. Those of parallel rays stay unknown.
 class WorldPlanes {
   public:
-    explicit WorldPlanes(const Pencil& pencil) : axes_(glm::transpose(pencil.eye_from_world)) {}
+    explicit WorldPlanes(const Pencil& pencil)
+        : axes_(glm::transpose(pencil.eye_from_world)),
+          parallel_(pencil.parallel)
+    {
+    }
 
     /// Stores HitRun::plane of a register of triangles to plane[i] to plane[i + kHitLanes - 1]. It
     /// is 0 if the triangle has no area or the eye is in its plane.
@@ -91,6 +95,10 @@ class WorldPlanes {
     {
         const Doubles d;
         const Floats f;
+        if (parallel_) {
+            std::fill_n(plane + i, kHitLanes, glm::vec4(0));
+            return;
+        }
         const auto axis = [&](int k) {
             return hn::Add(hn::Add(hn::Mul(n.x, hn::Set(d, axes_[0][k])),
                                hn::Mul(n.y, hn::Set(d, axes_[1][k]))),
@@ -114,7 +122,35 @@ class WorldPlanes {
   private:
     static constexpr float kLeastHeight = 1e-30f, kGreatestHeight = 1e30f; // normal floats
     glm::dmat3 axes_; // columns: the world vectors that n.x, n.y and n.z multiply
+    bool parallel_;
 };
+
+/// What the hits of a tile are found from, and where they go.
+struct TileResolve {
+    const EyeMesh& mesh;
+    const Pencil& pencil;
+    const TileItems& items;
+    const WorldPlanes& world;
+    const DoubtfulTriangles& doubtful;
+    const HitPlaces& places;
+};
+
+/// The planes of each lane's triangle, whose corners are v0, v1 and v2. The space of parallel rays
+/// (Pencil::parallel) has weights of its own: a corner's weight in the world is proportional to that one
+/// times the corner's z there. So the planes of the weights are multiplied by it.
+HWY_INLINE Planes<DoubleLanes> planes_of_corners(const TileResolve& tile,
+    const Vector3<DoubleLanes>& v0, const Vector3<DoubleLanes>& v1, const Vector3<DoubleLanes>& v2)
+{
+    Planes<DoubleLanes> p = planes_of(v0, v1, v2);
+    if (tile.pencil.parallel) {
+        const auto scale = [](Vector3<DoubleLanes>& n, DoubleLanes z) {
+            n = {hn::Mul(n.x, z), hn::Mul(n.y, z), hn::Mul(n.z, z)};
+        };
+        scale(p.edge[1], v1.z);
+        scale(p.edge[2], v2.z);
+    }
+    return p;
+}
 
 /// Some samples of one register of a block.
 struct RegisterSamples {
@@ -127,8 +163,10 @@ struct RegisterSamples {
 ///
 /// rays  of the block's samples
 HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays,
-    const RegisterSamples& lanes, const HitPlaces& places)
+    const RegisterSamples& lanes, const TileResolve& tile)
 {
+    const HitPlaces& places = tile.places;
+    const Pencil& pencil = tile.pencil;
     const int first = lanes.first;
     const std::uint64_t samples = lanes.samples;
     const Doubles d;
@@ -141,8 +179,14 @@ HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays,
     const auto at_sample = [&](const Vector3<DoubleLanes>& n) {
         return hn::Add(hn::Add(hn::Mul(n.x, x), hn::Mul(n.y, y)), n.z);
     };
-    const auto inverse = hn::Div(hn::Set(d, 1.0), at_sample(planes.n));
-    const auto t = hn::DemoteTo(f, hn::Mul(planes.volume, inverse));
+    // The depth 1 / s of parallel rays is det / volume, and the weights are edges / volume.
+    const auto det = at_sample(planes.n);
+    const auto inverse = hn::Div(hn::Set(d, 1.0), pencil.parallel ? planes.volume : det);
+    auto depth = hn::Mul(planes.volume, inverse);
+    if (pencil.parallel)
+        depth = hn::Sub(
+            hn::Set(d, pencil.far), hn::Mul(hn::Set(d, pencil.scale), hn::Mul(det, inverse)));
+    const auto t = hn::DemoteTo(f, depth);
     const auto weight = [&](const Vector3<DoubleLanes>& edge) {
         const auto w = hn::DemoteTo(f, hn::Mul(at_sample(edge), inverse));
         return hn::Min(hn::Max(w, hn::Zero(f)), hn::Set(f, 1.0f));
@@ -169,25 +213,30 @@ HWY_INLINE void meet(const LanePlanes& planes, const LatticeTile& rays,
 /// Corrects the hits, the eye's side and the plane of a run whose triangle is doubtful.
 ///
 /// rays  of the run's block
-HWY_NOINLINE void settle_run(const Corners& corners, const WorldPlanes& world,
-    const LatticeTile& rays, HitRun& run, const HitPlaces& places)
+HWY_NOINLINE void settle_run(
+    const Corners& corners, const TileResolve& tile, const LatticeTile& rays, HitRun& run)
 {
+    const HitPlaces& places = tile.places;
+    const Pencil& pencil = tile.pencil;
     const CarefulHit careful(corners);
     run.eye_side = std::int16_t(careful.eye_side());
     const Doubles d;
     alignas(64) glm::vec4 plane[kHitLanes];
     const glm::dvec3& n = careful.n();
-    world.store({hn::Set(d, n.x), hn::Set(d, n.y), hn::Set(d, n.z)}, hn::Set(d, careful.volume()),
-        plane, 0);
+    tile.world.store({hn::Set(d, n.x), hn::Set(d, n.y), hn::Set(d, n.z)},
+        hn::Set(d, careful.volume()), plane, 0);
     run.plane = plane[0];
     for (std::uint64_t rest = run.samples; rest; rest &= rest - 1) {
         const int sample = std::countr_zero(rest);
         const glm::vec3 direction = rays.direction(block_x(sample), block_y(sample));
         const auto at = std::size_t(run.block * kBlockSamples + sample);
         const CarefulHit::Plain plain = careful.plain(direction);
-        if (!plain.depth) places.t[at] = float(careful.depth(direction));
-        if (plain.weights) continue;
-        const auto [u, v] = careful.weights(direction);
+        const double depth = careful.depth(direction);
+        if (!plain.depth)
+            places.t[at] = float(pencil.parallel ? pencil.parallel_depth(depth) : depth);
+        if (plain.weights && (plain.depth || !pencil.parallel)) continue;
+        auto [u, v] = careful.weights(direction);
+        if (pencil.parallel) u *= double(corners[1].z) / depth, v *= double(corners[2].z) / depth;
         places.u[at] = float(std::clamp(u, 0.0, 1.0));
         places.v[at] = float(std::clamp(v, 0.0, 1.0));
     }

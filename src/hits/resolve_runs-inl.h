@@ -39,7 +39,7 @@ HWY_INLINE void set_up_planes(const TileResolve& tile, std::span<const HitRun> r
         const auto c0 = fetch_corner(mesh, index, 0), c1 = fetch_corner(mesh, index, 1),
                    c2 = fetch_corner(mesh, index, 2);
         const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
-        const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
+        const Planes<DoubleLanes> p = planes_of_corners(tile, v0, v1, v2);
         const auto keep = [&](const Vector3<DoubleLanes>& v, double(&to)[3][RunPlanes::kRuns]) {
             hn::Store(v.x, d, to[0] + i);
             hn::Store(v.y, d, to[1] + i);
@@ -81,13 +81,13 @@ HWY_INLINE void resolve_runs(const TileResolve& tile, std::span<HitRun> runs)
         };
         const LanePlanes planes{
             pick3(table.n), pick3(table.edge1), pick3(table.edge2), pick(table.volume)};
-        meet(planes, rays, {runs[0].block, first, samples}, tile.places);
+        meet(planes, rays, {runs[0].block, first, samples}, tile);
     }
     // Lanes beyond the last run have the first run's triangle, and are left out here.
     for (std::uint64_t rest = table.doubtful & ((std::uint64_t(1) << runs.size()) - 1); rest;
          rest &= rest - 1) {
         HitRun& run = runs[std::size_t(std::countr_zero(rest))]; // seldom
-        settle_run(corners_of(tile.mesh, run.item), tile.world, rays, run, tile.places);
+        settle_run(corners_of(tile.mesh, run.item), tile, rays, run);
     }
 }
 #endif

@@ -20,15 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-/// What the hits of a tile are found from, and where they go.
-struct TileResolve {
-    const EyeMesh& mesh;
-    const TileItems& items;
-    const WorldPlanes& world;
-    const DoubtfulTriangles& doubtful;
-    const HitPlaces& places;
-};
-
 /// Loads corner number `corner` of each lane's triangle.
 ///
 /// index  (lanes) the vertices of the triangles
@@ -98,10 +89,10 @@ HWY_INLINE void resolve_samples(const TileResolve& tile, std::span<HitRun> runs)
         const auto c0 = fetch_corner(mesh, index, 0), c1 = fetch_corner(mesh, index, 1),
                    c2 = fetch_corner(mesh, index, 2);
         const Vector3<DoubleLanes> v0 = wide(c0), v1 = wide(c1), v2 = wide(c2);
-        const Planes<DoubleLanes> p = planes_of(v0, v1, v2);
+        const Planes<DoubleLanes> p = planes_of_corners(tile, v0, v1, v2);
         hn::Store(p.volume, d, volume + first);
         tile.world.store(p.n, p.volume, plane, first);
-        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, {block, first, samples}, tile.places);
+        meet({p.n, p.edge[1], p.edge[2], p.volume}, rays, {block, first, samples}, tile);
         open |= (tile.doubtful.find(v0, v1, v2, p.volume) & samples) << first;
     }
     for (HitRun& run : runs) {
@@ -112,8 +103,7 @@ HWY_INLINE void resolve_samples(const TileResolve& tile, std::span<HitRun> runs)
     if (open == 0) [[likely]]
         return;
     for (HitRun& run : runs)
-        if (run.samples & open)
-            settle_run(corners_of(mesh, run.item), tile.world, rays, run, tile.places);
+        if (run.samples & open) settle_run(corners_of(mesh, run.item), tile, rays, run);
 }
 
 } // namespace HWY_NAMESPACE

@@ -142,7 +142,7 @@ void set_up_runs(const TileResolve& tile, RunBatch& batch)
         };
         const Vector3<V> v0{load(0), load(1), load(2)}, v1{load(3), load(4), load(5)},
             v2{load(6), load(7), load(8)};
-        const Planes<V> p = planes_of(v0, v1, v2);
+        const Planes<V> p = planes_of_corners(tile, v0, v1, v2);
         const auto store = [&](const Vector3<V>& v, double(&to)[3][kRuns]) {
             hn::Store(v.x, d, to[0] + i);
             hn::Store(v.y, d, to[1] + i);
@@ -169,10 +169,10 @@ void resolve_batch(const TileResolve& tile, RunBatch& batch)
         const LanePlanes planes = batch.planes(i);
         for (int first = 0; first < kBlockSamples; first += kHitLanes) {
             const std::uint64_t samples = run.samples >> first & kAllHitLanes;
-            if (samples != 0) meet(planes, rays, {run.block, first, samples}, tile.places);
+            if (samples != 0) meet(planes, rays, {run.block, first, samples}, tile);
         }
         if (batch.doubtful >> i & 1) [[unlikely]]
-            settle_run(batch.corners(i), tile.world, rays, run, tile.places);
+            settle_run(batch.corners(i), tile, rays, run);
     }
     batch.count = 0;
 }
@@ -212,7 +212,7 @@ std::size_t resolve(
     RunPrefetch prefetch(mesh, {places.run, count});
     const WorldPlanes world(pencil);
     const DoubtfulTriangles doubtful(items);
-    const TileResolve tile{mesh, items, world, doubtful, places};
+    const TileResolve tile{mesh, pencil, items, world, doubtful, places};
     RunBatch batch;
     for (float(&axis)[kRuns] : batch.corner) std::fill_n(axis, kRuns, 0.0f);
     for (std::size_t first = 0, end; first < count; first = end) {

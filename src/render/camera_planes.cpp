@@ -74,6 +74,7 @@ void CameraPlanes::fill(const View& view, Tasks& tasks, Film& film) const
             if (!std::isfinite(z)) return glm::dvec3(0);
             const double along_x = (pencil.x0 + x) / pencil.f.x,
                          along_y = (pencil.y0 + y) / pencil.f.y;
+            if (pencil.parallel) return glm::dvec3(along_x, along_y, z);
             return z * glm::dvec3(along_x + along_y * shear.x + shear.y, along_y + shear.z, 1);
         });
     }

@@ -54,6 +54,7 @@ Comparison compare(const World& world, const View& view, Oracle oracle, int thre
     // The oracle uses the same eye space, computed here from the pencil of the whole region.
     ViewMemory eye;
     eye.pencil = pencil_of(filled, filled.region, 1);
+    reach_all(world.position, eye.pencil);
     take_triangles(*world.scene, eye);
     project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{

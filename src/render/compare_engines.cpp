@@ -127,7 +127,8 @@ std::optional<double> EngineComparer::Impl::lend_items(const World&, const View&
 void EngineComparer::Impl::count_items(
     const World& world, const View& view, EngineComparison& result)
 {
-    const Pencil pencil = pencil_of(view, view.region, 1);
+    Pencil pencil = pencil_of(view, view.region, 1);
+    reach_all(world.position, pencil);
     eye.pencil = pencil;
     eye.pencil.width = eye.pencil.height = 1; // only corners are wanted, of any size of picture
     project_vertices(world.position, eye.pencil, eye, tasks);

@@ -152,6 +152,7 @@ LitComparison compare_lit(const World& world, const View& view, Oracle oracle, i
 
     ViewMemory eye;
     eye.pencil = pencil_of(filled, filled.region, 1);
+    reach_all(world.position, eye.pencil);
     take_triangles(*world.scene, eye);
     project_vertices(world.position, eye.pencil, eye, tasks);
     const EyeTriangles triangles{

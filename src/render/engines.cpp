@@ -60,6 +60,8 @@ void Engines::render_by(Engine engine, const FrameContext& frame, Stats& stats)
         render_frame(frame, settings_, memory_, stats);
         return;
     }
+    if (frame.view.camera.orthographic_height)
+        throw ArgumentError("orthographic cameras are rendered by the cpu engine alone");
     try {
         OpenGlEngines& engines = opengl();
 #ifdef FIRSTHIT_GL
@@ -89,7 +91,9 @@ void Engines::render(const FrameContext& frame, const Settings& settings, Stats&
         render_by(settings.engine, frame, stats);
         return;
     }
-    if (settings.shadows == Shadows::exact) {
+    if (frame.view.camera.orthographic_height) {
+        info_.reason = "orthographic cameras are drawn by the cpu engine";
+    } else if (settings.shadows == Shadows::exact) {
         info_.reason = "exact shadows are made by the cpu engine";
     } else if (has_cutouts(*frame.world.scene) || has_blended_triangles(*frame.world.scene)) {
         info_.reason = "surfaces with an alpha mode are drawn by the cpu engine";

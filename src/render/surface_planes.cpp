@@ -72,7 +72,8 @@ std::optional<glm::dvec2> place_in(const Pencil& picture, const glm::dvec3& poin
 {
     const glm::dvec3 p = picture.eye_from_world * (point - picture.eye);
     if (!(p.z > 0)) return {};
-    const glm::dvec2 place(p.x / p.z - picture.x0 + 0.5, p.y / p.z - picture.y0 + 0.5);
+    const glm::dvec2 seen = picture.parallel ? glm::dvec2(p) : glm::dvec2(p) / p.z;
+    const glm::dvec2 place(seen.x - picture.x0 + 0.5, seen.y - picture.y0 + 0.5);
     if (!std::isfinite(place.x) || !std::isfinite(place.y)) return {};
     return place;
 }
@@ -188,6 +189,10 @@ void SurfacePlanes::find_visible(
     if (!occlusion_) occlusion_ = std::make_unique<Occlusion>(tasks.threads());
     Light eye;
     eye.position = view.camera.eye;
+    if (view.camera.orthographic_height) {
+        eye.kind = Light::Kind::directional;
+        eye.direction = view.camera.direction;
+    }
     occlusion_->test(*previous.world, point_, eye, occluded_, receiver_);
     for (std::size_t k = 0; k < pixel_.size(); ++k)
         if (occluded_[k]) visible.value[pixel_[k]] = 0;

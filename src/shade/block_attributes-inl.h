@@ -91,6 +91,12 @@ HWY_INLINE void spread_geometric(
     });
 }
 
+/// The depth t that footprint2 and texture_step multiply gradients by: 1 for rays that do not spread.
+FIRSTHIT_PURE real footprint_depth(const HitTile& hits, std::size_t at)
+{
+    return hits.rays.parallel ? real(1.0f) : load(hits.t + at);
+}
+
 /// The texture coordinates of a run's triangle, and its texture or null.
 struct RunUv {
     const Interpolated<glm::vec2>& uv;
@@ -119,8 +125,8 @@ HWY_INLINE void spread_uv(
         const real2 size(
             static_cast<float>(texture->width()), static_cast<float>(texture->height()));
         store_where(chosen, all,
-            footprint2(tex_u, tex_v, load(hits.t + at + first), from_glm(gradients.u),
-                from_glm(gradients.v), from_glm(gradients.one), size),
+            footprint2(tex_u, tex_v, footprint_depth(hits, at + std::size_t(first)),
+                from_glm(gradients.u), from_glm(gradients.v), from_glm(gradients.one), size),
             attributes.footprint2 + first);
     });
 }
@@ -138,7 +144,7 @@ HWY_INLINE void spread_uv_steps(
     for_registers(run.samples, [&](int first, truth chosen, bool all) {
         const real u = load(hits.u + at + first);
         const real v = load(hits.v + at + first);
-        const real t = load(hits.t + at + first);
+        const real t = footprint_depth(hits, at + std::size_t(first));
         // Relative to corner 0, as in spread_uv.
         const real tex_u = interpolate(0.0f, uv.to1.x, uv.to2.x, u, v);
         const real tex_v = interpolate(0.0f, uv.to1.y, uv.to2.y, u, v);

@@ -20,6 +20,7 @@ namespace wide {
 /// The light from the directions of two registers of a block's samples.
 HWY_INLINE real3 light_behind(const BlockRays& rays, int first, const ShadeEnvironment& environment)
 {
+    if (rays.parallel) return environment_from({&environment}, both(rays.forward));
     const real3 direction = ray_direction(real(rays.x0) + load(kBlockSamplesXY.x + first),
         real(rays.y0) + load(kBlockSamplesXY.y + first), real(rays.step_x), real(rays.step_y),
         both(rays.right), both(rays.down), both(rays.forward));

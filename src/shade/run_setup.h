@@ -96,11 +96,12 @@ inline MapNeeds map_needs(const ShadeArrays& arrays, const Material& material)
     return needs;
 }
 
-/// The plane of a triangle relative to the eye. In double, because the products of very small and
-/// very large coordinates are outside the range of float.
+/// The plane of a triangle relative to the eye. Where the rays are parallel, p0_eye is their direction, with
+/// which run_gradients finds what it looks for in the same way. In double, because the products of very
+/// small and very large coordinates are outside the range of float.
 struct RunPlane {
     glm::uvec3 corner{0};
-    glm::dvec3 p0_eye{0}; // corner 0 minus the eye
+    glm::dvec3 p0_eye{0}; // corner 0 minus the eye; or the direction of parallel rays
     glm::dvec3 e1{0};     // corner 1 minus corner 0
     glm::dvec3 e2{0};     // corner 2 minus corner 0
     glm::dvec3 n{0};      // e1 x e2
@@ -112,7 +113,7 @@ FIRSTHIT_PURE RunPlane run_plane(const ShadeArrays& arrays, std::uint32_t item, 
     RunPlane plane;
     plane.corner = arrays.scene->index[item];
     const glm::dvec3 p0(arrays.position[plane.corner.x]);
-    plane.p0_eye = p0 - glm::dvec3(rays.eye);
+    plane.p0_eye = rays.parallel ? glm::dvec3(rays.forward) : p0 - glm::dvec3(rays.eye);
     plane.e1 = glm::dvec3(arrays.position[plane.corner.y]) - p0;
     plane.e2 = glm::dvec3(arrays.position[plane.corner.z]) - p0;
     plane.n = glm::cross(plane.e1, plane.e2);
@@ -127,7 +128,7 @@ FIRSTHIT_PURE glm::vec3 geometric_normal(
     const RunPlane plane = run_plane(arrays, run.item, rays);
     const double length = std::sqrt(glm::dot(plane.n, plane.n));
     if (!(length > 0)) return glm::vec3(0);
-    const double side = looks_away(run, plane.n, plane.n_p0, rays.eye) ? -1 : 1;
+    const double side = looks_away(run, plane.n, plane.n_p0, rays) ? -1 : 1;
     return glm::vec3(plane.n * (side / length));
 }
 
@@ -215,7 +216,7 @@ FIRSTHIT_PURE Interpolated<glm::vec2> run_uv(const ShadeArrays& arrays, const gl
     return {uv0, arrays.uv[corner.y] - uv0, arrays.uv[corner.z] - uv0};
 }
 
-/// The arguments grad_u, grad_v and grad_1 of footprint2 (src/glsl/texture.glsl).
+/// The arguments grad_u, grad_v and grad_1 of footprint2 (src/glsl/texture.glsl). Its t is footprint_depth.
 struct RunGradients {
     glm::vec2 u{0};
     glm::vec2 v{0};
@@ -233,7 +234,10 @@ FIRSTHIT_PURE RunGradients run_gradients(
     const glm::dvec2 w1_xy(glm::dot(w1, right) * step_x, glm::dot(w1, down) * step_y);
     const glm::dvec2 w2_xy(glm::dot(w2, right) * step_x, glm::dot(w2, down) * step_y);
     RunGradients gradients;
-    gradients.one = glm::vec2(glm::dot(plane.n, right) * step_x, glm::dot(plane.n, down) * step_y);
+    // Parallel rays do not spread.
+    if (!rays.parallel)
+        gradients.one =
+            glm::vec2(glm::dot(plane.n, right) * step_x, glm::dot(plane.n, down) * step_y);
     gradients.u = glm::vec2(w1_xy * double(uv.to1.x) + w2_xy * double(uv.to2.x));
     gradients.v = glm::vec2(w1_xy * double(uv.to1.y) + w2_xy * double(uv.to2.y));
     return gradients;

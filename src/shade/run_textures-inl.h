@@ -162,7 +162,8 @@ class RunTextures {
         const auto dot = [](const Vector3<V>& a, const Vector3<V>& b) {
             return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
         };
-        const Vector3<V> eye = same(rays.eye), right = same(rays.right), down = same(rays.down);
+        const Vector3<V> eye = same(rays.eye), right = same(rays.right), down = same(rays.down),
+                         forward = same(rays.forward);
         const bool square = rays.step_x == rays.step_y;
         for (std::size_t i = 0; i < slots_; i += hn::Lanes(d)) {
             const auto load = [&](const float* from) {
@@ -172,7 +173,7 @@ class RunTextures {
                 return Vector3<V>{
                     load(corner_[3 * k]), load(corner_[3 * k + 1]), load(corner_[3 * k + 2])};
             };
-            const Vector3<V> p0 = corner(0), p0_eye = sub(p0, eye);
+            const Vector3<V> p0 = corner(0), p0_eye = rays.parallel ? forward : sub(p0, eye);
             const Vector3<V> e1 = sub(corner(1), p0), e2 = sub(corner(2), p0), n = cross(e1, e2);
             const Vector3<V> w1 = cross(e2, p0_eye), w2 = cross(p0_eye, e1);
             const V n_p0 = dot(n, p0_eye);
@@ -190,7 +191,7 @@ class RunTextures {
                     store(hn::Add(hn::Mul(w1_along, load(uv_[1][c])),
                               hn::Mul(w2_along, load(uv_[2][c]))),
                         gradient_[c]);
-                store(hn::Mul(dot(n, along), step), gradient_[2]);
+                store(rays.parallel ? hn::Zero(d) : hn::Mul(dot(n, along), step), gradient_[2]);
             }
         }
     }

@@ -157,7 +157,7 @@ HWY_NOINLINE void find_facing(
 {
     for (const HitRun& run : runs) {
         HitRun spare;
-        const HitRun& known = known_run(run, tile.world, tile.hits.rays.eye, spare);
+        const HitRun& known = known_run(run, tile.world, tile.hits.rays, spare);
         const RunFacing facing =
             run_facing(tile.arrays, tile.arrays.scene->index[run.item], glm::vec3(known.plane));
         static_assert(sizeof facing == sizeof attributes.facing[0]);
@@ -283,10 +283,12 @@ HWY_INLINE void shade_samples(
         }
 
         wide::Surface surface;
-        const real3 direction = wide::ray_direction(real(rays.x0) + load(kBlockSamplesXY.x + first),
+        const real3 offset = wide::ray_offset(real(rays.x0) + load(kBlockSamplesXY.x + first),
             real(rays.y0) + load(kBlockSamplesXY.y + first), real(rays.step_x), real(rays.step_y),
-            right, down, forward);
-        surface.position = wide::hit_position(both(rays.eye), direction, load(tile.hits.t + at));
+            right, down);
+        const real3 direction = rays.parallel ? forward : offset + forward;
+        const real3 start = rays.parallel ? both(rays.eye) + offset : both(rays.eye);
+        surface.position = wide::hit_position(start, direction, load(tile.hits.t + at));
         surface.to_eye = unit(real3(0.0f, 0.0f, 0.0f) - direction);
         real3 interpolated = load3(attributes.normal);
         if constexpr (kNormalMap >= 0)

@@ -178,7 +178,7 @@ HWY_INLINE BlockMaterials find_surfaces(const TileShade& tile, const ReachedRuns
         const bool seen = planes || (run.samples & reached) != 0;
         if (seen) {
             HitRun spare;
-            const HitRun& known = known_run(run, tile.world, tile.hits.rays.eye, spare);
+            const HitRun& known = known_run(run, tile.world, tile.hits.rays, spare);
             if (one_by_one)
                 corners.set(scene.index[run.item], known,
                     runs.size() <= kMostRunLanes ? std::uint64_t(1) << (&run - runs.data())

@@ -120,6 +120,18 @@ refuses 2 'accepted are 0 \(as OpenCV\) and 0.5' render builtin:torus --pixel-ce
 refuses 2 'accepted is x,y,width,height' render builtin:torus --region 0,0,0,5 -o a.png
 refuses 1 'path.json: .*the input' render builtin:torus --camera-path path.json --stats-json path.json --aov item=i_%d.npy
 
+# --- orthographic cameras -----------------------------------------------------------------------
+writes render builtin:torus "${size[@]}" -o zoomed.exr --ortho 3 --zoom 1.5
+writes render builtin:torus "${size[@]}" -o flat.exr --ortho 2
+same zoomed.exr flat.exr "a picture that is 1.5 times as large"
+writes render builtin:torus "${size[@]}" -o fit.exr --ortho fit --view top --shadows map --sky 0
+writes render builtin:torus "${size[@]}" -o eye.exr --ortho 3 --eye 0,4,0.1 --at 0,0,0
+refuses 2 '--ortho and --fov exclude each other' render builtin:torus --ortho 3 --fov 40 -o a.png
+refuses 2 '--ortho and --intrinsics exclude' render builtin:torus --ortho 3 --intrinsics 9,9,1,1 -o a.png
+refuses 2 'is no height of an orthographic picture' render builtin:torus --ortho 0 -o a.png
+refuses 2 '--camera says where the camera is' render builtin:torus --camera transforms.json --ortho 3 -o a.png
+refuses 1 'rendered by the cpu engine alone' render builtin:torus --ortho 3 --engine gpu -o a.png
+
 # --- lights -------------------------------------------------------------------------------------
 writes render builtin:torus "${size[@]}" -o old.exr --light point:0,5,0
 writes render builtin:torus "${size[@]}" -o new.exr --light point:0,5,0,color=1,1,1,intensity=1,falloff=none

@@ -35,6 +35,22 @@ TEST_P(ItemBuffer, EqualsBruteForce)
     });
 }
 
+/// Orthographic cameras before, within and beside the triangles.
+TEST_P(ItemBuffer, OfParallelRaysEqualsBruteForce)
+{
+    for_worlds([&](TestWorld& world, std::mt19937&) {
+        for (const glm::dvec3& eye : {glm::dvec3(0, 0, -3), {0, 0, 1}, {0.25, 0.125, 1.0 / 3}}) {
+            View parallel = view;
+            parallel.camera.eye = eye;
+            parallel.camera.orthographic_height = eye.z < 1 ? 1.0 : 2.7;
+            if (eye.x != 0) parallel.camera.direction = {0.3, -0.2, 1};
+            const auto items = items_of(world.world, parallel);
+            EXPECT_EQ(differences(items, brute_items(world.world, parallel), kSize), 0u);
+            EXPECT_EQ(items_of(world.world, parallel, 7, 24), items);
+        }
+    });
+}
+
 TEST_P(ItemBuffer, IsTheSameForEveryThreadCountAndTileSize)
 {
     for_worlds([&](TestWorld& world, std::mt19937&) {

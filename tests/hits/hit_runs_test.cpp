@@ -39,7 +39,7 @@ TEST(HitRuns, KnowThePlanesThatTheirCornersSpan)
         for (const auto& tile : picture.tiles)
             for (const HitRun& run : tile->hits.runs) {
                 ASSERT_TRUE(run.has_plane());
-                const HitRun expected = with_plane(run, posed.world, tile->hits.rays.eye);
+                const HitRun expected = with_plane(run, posed.world, tile->hits.rays);
                 const glm::vec4 apart = glm::abs(run.plane - expected.plane);
                 EXPECT_LT(std::max({apart.x, apart.y, apart.z}), 2e-4f);
                 EXPECT_NEAR(run.plane.w / expected.plane.w, 1, 2e-3);
@@ -56,9 +56,9 @@ TEST(HitRuns, WithoutAreaOrBelowTheEyeHaveNoPlane)
     world.scene = borrow(scene);
     world.position = {{0, 0, -4}, {1, 0, -4}, {2, 0, -4}, {0, 3, -4}, {0, 0, 0}};
     scene.index = {{0, 1, 2}, {4, 0, 3}, {0, 1, 3}};
-    EXPECT_FALSE(with_plane({.item = 0}, world, glm::vec3(0)).has_plane());
-    EXPECT_FALSE(with_plane({.item = 1}, world, glm::vec3(0)).has_plane());
-    const HitRun run = with_plane({.item = 2}, world, glm::vec3(0));
+    EXPECT_FALSE(with_plane({.item = 0}, world, Rays{}).has_plane());
+    EXPECT_FALSE(with_plane({.item = 1}, world, Rays{}).has_plane());
+    const HitRun run = with_plane({.item = 2}, world, Rays{});
     EXPECT_EQ(run.plane, glm::vec4(0, 0, 1, 4));
 }
 

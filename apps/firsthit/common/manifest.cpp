@@ -72,9 +72,14 @@ Json manifest_of_materials(const Scene& scene)
 Json manifest_of_cameras(const Scene& scene)
 {
     Json list = Json::array();
-    for (const SceneCamera& camera : scene.cameras)
-        list.push_back({{"name", camera.name}, {"node", number_or_null(camera.node)},
-            {"fov_y_deg", camera.camera.fov_y_rad * kDegrees}});
+    for (const SceneCamera& camera : scene.cameras) {
+        Json entry{{"name", camera.name}, {"node", number_or_null(camera.node)}};
+        if (camera.camera.orthographic_height)
+            entry["orthographic_height"] = *camera.camera.orthographic_height;
+        else
+            entry["fov_y_deg"] = camera.camera.fov_y_rad * kDegrees;
+        list.push_back(std::move(entry));
+    }
     return list;
 }
 

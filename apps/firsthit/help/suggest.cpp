@@ -19,7 +19,8 @@ constexpr auto kOtherNames =
         {"--position", "--eye"}, {"--from", "--eye"}, {"--spp", "--samples"},
         {"--antialiasing", "--samples"}, {"--jobs", "--threads"}, {"--cores", "--threads"},
         {"--animation", "--clip"}, {"--hdri", "--environment"}, {"--envmap", "--environment"},
-        {"--layers", "--aov"}, {"--pass", "--aov"}, {"--fov-y", "--fov"}, {"--angle", "--fov"},
+        {"--layers", "--aov"}, {"--pass", "--aov"}, {"--fov-y", "--fov"},
+        {"--orthographic", "--ortho"}, {"--parallel", "--ortho"}, {"--angle", "--fov"},
         {"--silent", "--quiet"}, {"--overwrite", "--resume"}, {"--file", "--output"}});
 
 constexpr std::size_t kLeastBeginning = 3; // letters that stand for a whole word

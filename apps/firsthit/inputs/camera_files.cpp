@@ -24,6 +24,7 @@ void check_alone(const CameraOptions& options, const char* name, bool lens)
                         : options.view               ? "--view"
                         : options.turntable > 0      ? "--turntable"
                         : options.fov_y_rad          ? "--fov"
+                        : options.ortho              ? "--ortho"
                         : lens && options.intrinsics ? "--intrinsics"
                                                      : nullptr;
     if (other)

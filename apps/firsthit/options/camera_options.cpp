@@ -44,6 +44,42 @@ void zoom_in(double zoom, Camera& camera)
     if (zoom == 1) return;
     camera.fov_y_rad = 2 * std::atan(std::tan(camera.fov_y_rad / 2) / zoom);
     if (camera.focal) *camera.focal *= zoom;
+    if (camera.orthographic_height) *camera.orthographic_height /= zoom;
+}
+
+double parse_ortho(const std::string& text)
+{
+    if (text == "fit") return 0;
+    double height = 0;
+    try {
+        height = parse_number(text);
+    } catch (const UsageError&) {
+        height = 0; // said below
+    }
+    if (1e-12 <= height && height <= 1e12) return height;
+    throw UsageError(fmt::format(
+        "'{}' is no height of an orthographic picture: accepted are 1e-12 to 1e12 world units, and "
+        "fit",
+        text));
+}
+
+/// Makes a camera orthographic, if the options say so.
+///
+/// far  from its eye to what is to have the same size as before, where the height is to fit
+void flatten(const CameraOptions& options, double far, Camera& camera)
+{
+    if (!options.ortho) return;
+    if (options.fov_y_rad || options.intrinsics)
+        throw UsageError(
+            fmt::format("--ortho and {} exclude each other: parallel rays have no lens",
+                options.fov_y_rad ? "--fov" : "--intrinsics"));
+    double height = *options.ortho;
+    if (height == 0 && camera.orthographic_height) height = *camera.orthographic_height;
+    if (height == 0) height = 2 * far * std::tan(camera.fov_y_rad / 2);
+    camera.orthographic_height = height;
+    camera.focal.reset();
+    camera.principal_point.reset();
+    camera.skew = 0;
 }
 
 double parse_pixel_center(const std::string& text)
@@ -75,6 +111,7 @@ void take_intrinsics(const CameraOptions& options, Camera& camera)
     camera.focal = {fx, fy};
     camera.principal_point = {cx + shift, cy + shift};
     camera.skew = skew;
+    camera.orthographic_height.reset();
 }
 
 } // namespace
@@ -172,6 +209,9 @@ void add_camera_options(CLI::App& app, CameraOptions& options)
         "What is up in the picture; default the camera's, or 0,0,-1 when it looks along that");
     add_parsed(app, "--fov", options.fov_y_rad, parse_fov, "DEG",
         "Full vertical angle, above 0 and below 180");
+    add_parsed(app, "--ortho", options.ortho, parse_ortho, "HEIGHT|fit",
+        "An orthographic camera: the height of the picture in world units, or fit: as large as the "
+        "scene was in perspective. What is behind the eye is not seen. On the cpu engine");
     add_parsed(app, "--intrinsics", options.intrinsics, parse_intrinsics, "fx,fy,cx,cy[,skew]",
         "The lens of a calibrated camera, in pixels of the picture");
     add_parsed(app, "--pixel-center", options.pixel_center, parse_pixel_center, "0|0.5",
@@ -205,7 +245,10 @@ Camera override_camera(
     if (options.fov_y_rad) {
         result.fov_y_rad = *options.fov_y_rad;
         result.focal.reset();
+        result.orthographic_height.reset();
     }
+    const double far = middle ? glm::length(*middle - result.eye) : glm::length(result.direction);
+    flatten(options, far, result);
     return result;
 }
 
@@ -224,6 +267,7 @@ void ViewMaker::frame(const World& world)
         framing.aspect *= fy / fx;
     }
     framing.all_around = options_.turntable > 0;
+    framing.orthographic = options_.ortho.has_value();
     framing_ = framing_camera(world, framing);
 }
 
@@ -238,7 +282,7 @@ View ViewMaker::view(World& world, std::size_t number)
         view.camera = camera_at(*options_.path, world.time_s);
     else
         view.camera = override_camera(framing_ ? *framing_ : world.camera, options_,
-            framing_ ? middle_ : std::optional<glm::dvec3>());
+            framing_ || options_.ortho ? middle_ : std::optional<glm::dvec3>());
     take_intrinsics(options_, view.camera);
     zoom_in(options_.zoom, view.camera);
     if (options_.turntable > 0)

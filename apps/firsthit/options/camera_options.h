@@ -29,7 +29,8 @@ struct CameraOptions {
     std::optional<glm::dvec3> at;
     std::optional<glm::dvec3> up;
     std::optional<double> fov_y_rad;
-    std::optional<NamedView> view;     // none: the scene's camera, or iso where it has none
+    std::optional<double> ortho;   // height of an orthographic picture, world units; 0: as it fits
+    std::optional<NamedView> view; // none: the scene's camera, or iso where it has none
     std::optional<glm::dvec3> up_axis; // of named views and turntables; none: by the kind of file
     double zoom = 1;                   // how many times as large things are in the picture
     int turntable = 0;                 // pictures of one turn around the scene; 0: no turntable
@@ -70,7 +71,7 @@ std::array<double, 5> parse_intrinsics(const std::string& text);
 /// "x,y,w,h" in pixels. throws  UsageError
 Region parse_region(const std::string& text);
 
-/// --size, --view, --zoom, --up-axis, --eye, --at, --up, --fov, --intrinsics, --pixel-center
+/// --size, --view, --zoom, --up-axis, --eye, --at, --up, --fov, --ortho, --intrinsics, --pixel-center
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
 /// Takes the size that the scene's file asks for as the default of --size.
@@ -79,7 +80,8 @@ void take_size(const Scene& scene, CameraOptions& options);
 /// A camera with parts replaced. --eye alone moves it: towards `middle` where that is given (a
 /// scene without a camera of its own), else without turning. --at turns it. Where `up` was not
 /// given and the camera looks along it, -z becomes up: the top of a plan. throws  UsageError: eye
-/// and at coincide, or the direction and the --up given are parallel
+/// and at coincide, or the direction and the --up given are parallel. --ortho makes the camera orthographic;
+/// where its height is to fit, `middle` is as large as it was
 Camera override_camera(
     const Camera& camera, const CameraOptions& options, const std::optional<glm::dvec3>& middle);
 

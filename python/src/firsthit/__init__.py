@@ -52,6 +52,7 @@ from .cameras import (
     from_opencv,
     intrinsics,
     look_at,
+    ortho,
     scene_camera,
     turntable,
     world_to_camera_opencv,
@@ -71,7 +72,7 @@ __all__ = [
     "NO_ID", "Occlusion", "Renderer", "Scene", "SceneBuilder", "SceneError", "Sky", "World",
     "camera_to_world_opencv", "camera_to_world_opengl", "coco_masks", "coco_rle", "compare", "directional",
     "framing", "from_colmap", "from_gltf", "from_opencv", "hash_of", "instruction_set", "intrinsics", "load",
-    "look_at", "occlusion", "point", "posed", "read_cameras", "render", "render_batch", "scene_camera", "sky_light",
+    "look_at", "occlusion", "ortho", "point", "posed", "read_cameras", "render", "render_batch", "scene_camera", "sky_light",
     "spot", "studio_sky", "sun", "sun_position", "turntable", "visible", "world_to_camera_opencv",
     "world_to_camera_opengl",
 ]

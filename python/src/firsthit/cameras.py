@@ -22,6 +22,15 @@ def look_at(eye: Array, target: Array, up: Array = (0, 1, 0), *, size: Size, fov
     return _core.Camera(eye=eye, direction=direction, up=up, size=size, fov_y=math.radians(fov_y_deg))
 
 
+def ortho(eye: Array, target: Array, up: Array = (0, 1, 0), *, size: Size, height: float) -> _core.Camera:
+    """An orthographic camera at `eye` that looks at `target`.
+
+    height  of the picture, in world units; the width follows from size. What is behind the eye is not seen.
+    """
+    direction = np.subtract(np.asarray(target, np.float64), np.asarray(eye, np.float64))
+    return _core.Camera(eye=eye, direction=direction, up=up, size=size, orthographic_height=height)
+
+
 def _rigid(matrix: Array, name: str) -> Floats:
     m = np.asarray(matrix, np.float64)
     if m.shape == (3, 4):
@@ -94,7 +103,9 @@ def turntable(world: _core.World, count: int, *, size: Size, view: str = "iso",
 
 
 def intrinsics(camera: _core.Camera, *, pixel_center: float = 0.0) -> Floats:
-    """K of a camera, float64 (3, 3)."""
+    """K of a camera, float64 (3, 3). An orthographic one has none: ValueError."""
+    if camera.focal is None:
+        raise ValueError("camera: an orthographic camera has no K")
     fx, fy = camera.focal
     cx, cy = camera.principal_point
     half = 0.5 - pixel_center

@@ -73,7 +73,7 @@ void render_coarse(const FrameContext& frame, const Settings& settings, FrameMem
     const bool whole = all.width == view.region.width && all.height == view.region.height;
     Film& film = whole ? frame.film : own.film;
     const FrameContext coarse{frame.world, view, frame.tasks, film, frame.progress};
-    EdgeFinder edges(frame.world, frame.tasks, own.edges, own.marks);
+    EdgeFinder edges(coarse, own.edges, own.marks);
     sources.edges = &edges;
     render_frame(coarse, own.coarse, memory, stats, sources);
     Stopwatch watch;

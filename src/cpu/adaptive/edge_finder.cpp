@@ -57,17 +57,29 @@ void EdgeSight::resize(int width, int height)
     block.resize(std::size_t(blocks_over(width)) * std::size_t(blocks_over(height)));
 }
 
-EdgeFinder::EdgeFinder(const World& world, Tasks& tasks, EdgeMemory& memory, PixelMarks& marks)
-    : world_(world),
-      tasks_(tasks),
+namespace {
+
+Pencil pencil_of_picture(const FrameContext& frame)
+{
+    Pencil pencil = pencil_of(frame.view, frame.view.region, 1);
+    reach_all(frame.world.position, pencil);
+    return pencil;
+}
+
+} // namespace
+
+EdgeFinder::EdgeFinder(const FrameContext& frame, EdgeMemory& memory, PixelMarks& marks)
+    : world_(frame.world),
+      tasks_(frame.tasks),
+      pencil_(pencil_of_picture(frame)),
       memory_(memory),
       marks_(marks),
       sight_(&memory.first)
 {
     const Region& region = marks.region;
     memory.first.resize(region.width, region.height);
-    memory.worker.resize(std::max(memory.worker.size(), std::size_t(tasks.threads())));
-    const Scene& scene = *world.scene;
+    memory.worker.resize(std::max(memory.worker.size(), std::size_t(tasks_.threads())));
+    const Scene& scene = *world_.scene;
     memory.textured.resize(scene.instances.size());
     for (std::size_t k = 0; k < scene.instances.size(); ++k)
         memory.textured[k] = has_textures(scene.materials[scene.instances[k].material]);
@@ -96,7 +108,7 @@ void EdgeFinder::record(
     fill_lit(hits, lit, world_.lights.size(), own.lit.data());
     const Scene& scene = *world_.scene;
     for (std::size_t k = 0; k < samples; ++k) {
-        own.w[k] = 1 / hits.t[k];
+        own.w[k] = inverse_depth(hits.t[k]);
         own.kind[k] = kNoItem;
         if (hits.item[k] == kNoItem) continue;
         const std::uint32_t owner = scene.owner[hits.item[k]];
@@ -135,13 +147,13 @@ void EdgeFinder::record_blocks(const PixelRect& rect, const HitTile& hits)
             farthest = std::max(farthest, t[k]);
             nearest = std::min(nearest, t[k]);
         }
-        sight.least_w = 1 / farthest;
-        sight.most_w = 1 / nearest;
+        sight.least_w = inverse_depth(farthest);
+        sight.most_w = inverse_depth(nearest);
         if (run - first == 1 && sight.least_w > 0) sight.item = first->item;
         sight.owner = scene.owner[first->item];
         for (const HitRun* other = first; other != run; ++other) {
             HitRun spare;
-            const glm::vec3 normal(known_run(*other, world_, hits.rays.eye, spare).plane);
+            const glm::vec3 normal(known_run(*other, world_, hits.rays, spare).plane);
             if (other == first) sight.normal = normal / glm::length(normal);
             if (scene.owner[other->item] != sight.owner || !are_close(normal, sight.normal)) {
                 sight.owner = BlockSight::kSeveral;

@@ -5,6 +5,8 @@
 #include "cpu/adaptive/edge_memory.h"
 #include "cpu/adaptive/pixel_marks.h"
 #include "cpu/copy_rows.h"
+#include "exact/pencil.h"
+#include "frame/frame_context.h"
 #include "hits/hit_tile.h"
 #include "hits/light_visibility.h"
 #include "visibility/bin/view_memory.h"
@@ -31,8 +33,9 @@ class EdgeFinder {
     /// How many pixels around it decide on a pixel's mark.
     static constexpr int kAround = 2;
 
+    /// frame  the picture
     /// marks  cleared for the region that is rendered
-    EdgeFinder(const World& world, Tasks& tasks, EdgeMemory& memory, PixelMarks& marks);
+    EdgeFinder(const FrameContext& frame, EdgeMemory& memory, PixelMarks& marks);
 
     /// Remembers what the pixels of a tile see. Calls of different workers may overlap.
     ///
@@ -67,8 +70,15 @@ class EdgeFinder {
     bool in_first_layer() const { return sight_ == &memory_.first; }
     void record_blocks(const PixelRect& rect, const HitTile& hits);
 
+    /// 1/t in the space of the rays, of what has depth t in the world.
+    float inverse_depth(float t) const
+    {
+        return pencil_.parallel ? float((pencil_.far - double(t)) / pencil_.scale) : 1 / t;
+    }
+
     const World& world_;
     Tasks& tasks_;
+    const Pencil pencil_; // of the picture
     EdgeMemory& memory_;
     PixelMarks& marks_;
     EdgeSight* sight_;       // of the layer that is recorded

@@ -156,7 +156,9 @@ void EdgeFinder::find_neighbours(const ViewMemory& view)
     // Two planes at 30 degrees, seen from f pixels away, change 1/t by tan(30)/f of it at least over a
     // pixel, of which one of four directions shows 0.92, and one of two neighbours half. Surfaces that
     // do not meet bend it by more.
-    const float most_bend = std::max(0.25f / float(std::max(pencil.f.x, pencil.f.y)), 2e-6f);
+    // Of parallel rays 1/t is from 1 to 2, and changes by tan(30) / (f scale).
+    const double f = std::max(pencil.f.x, pencil.f.y) * (pencil.parallel ? 2 * pencil.scale : 1.0);
+    const float most_bend = std::max(0.25f / float(f), 2e-6f);
     const Sight sight{*sight_, view, width, height, first_ray_, touches};
     const auto compare = [&](int x, int y, int x2, int y2) {
         const Sides sides = sight.edge_sides(x, y, x2, y2);

@@ -65,7 +65,7 @@ struct Search {
     const EyeMesh& mesh;
     const Pencil& pencil;
     const Scene& scene;
-    glm::mat3 world_from_eye;
+    NormalTransform to_world;
     int left, top; // the part's first pixel in the region
 
     int columns() const { return (marks.region.width + kBlock - 1) / kBlock; }
@@ -82,7 +82,7 @@ struct Search {
         if (ahead < -kSameDepth * wb) return false; // behind
         if (scene.owner[seen] != scene.owner[a.triangle]) return true;
         if (difference - slack > a.plane.reach() + b.reach() + kSameDepth * wb) return true;
-        return !are_close(a.plane.normal(world_from_eye), b.normal(world_from_eye));
+        return !are_close(a.plane.normal(to_world), b.normal(to_world));
     }
 
     void test_pixels(const Candidate& a, const Outline& outline, const Rectangle& pixels) const
@@ -113,7 +113,7 @@ struct Search {
     {
         return block.least_w > 0 && block.owner == scene.owner[a.triangle] &&
                a.nearest_w <= block.most_w * (1 + 0x1p-7f) &&
-               are_close(-a.plane.normal(world_from_eye), block.normal);
+               are_close(-a.plane.normal(to_world), block.normal);
     }
 
     void test(std::uint32_t t) const
@@ -189,7 +189,7 @@ void EdgeFinder::find_touched(const Region& part, const ViewMemory& view)
     if (!in_first_layer()) return;
     Stopwatch watch;
     const Search search{memory_.first, marks_, view, view.pencil, *world_.scene,
-        glm::mat3(glm::transpose(view.pencil.eye_from_world)), left, top};
+        NormalTransform(view.pencil), left, top};
     tasks_.for_ranges(view.index.size(), kRange, [&](std::size_t first, std::size_t last) {
         for (std::size_t t = first; t < last; ++t) search.test(std::uint32_t(t));
     });

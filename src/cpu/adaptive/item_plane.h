@@ -2,15 +2,34 @@
 #pragma once
 
 #include "exact/hit.h"
+#include "exact/pencil.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
 
 namespace firsthit {
+
+/// From the normals of eye space to those of the world.
+struct NormalTransform {
+    glm::mat3 matrix{1}; // the transposed Pencil::eye_from_world
+    /// Parallel rays: s = scale / (far - z) makes of the plane a x + b y + c z + e = 0 the plane
+    /// a X + b Y + (c far + e) Z = c scale, whose coefficients over c scale are an ItemPlane. So its normal
+    /// (a, b, c) is as (x, y, 1 / scale).
+    bool parallel = false;
+    float along = 0;
+
+    explicit NormalTransform(const Pencil& pencil)
+        : matrix(glm::transpose(pencil.eye_from_world)),
+          parallel(pencil.parallel),
+          along(float(1 / pencil.scale))
+    {
+    }
+};
 
 /// The plane of a triangle in eye space: 1/t = x X + y Y + z for the ray of direction (X, Y, 1). Not
 /// finite if the eye is in the plane.
@@ -31,11 +50,9 @@ struct ItemPlane {
     float reach() const { return 0.5f * (std::abs(x) + std::abs(y)); }
 
     /// A normal in the world, away from the eye, of any length.
-    ///
-    /// world_from_eye  the transposed Pencil::eye_from_world
-    glm::vec3 normal(const glm::mat3& world_from_eye) const
+    glm::vec3 normal(const NormalTransform& to_world) const
     {
-        return world_from_eye * glm::vec3(x, y, z);
+        return to_world.matrix * glm::vec3(x, y, to_world.parallel ? to_world.along : z);
     }
 };
 

@@ -68,12 +68,16 @@ void ImportedScene::add_cameras()
         made.camera.up = vector_of(from.mUp);
         const bool sees = has_direction(made.camera.direction) && has_direction(made.camera.up) &&
                           has_direction(glm::cross(made.camera.direction, made.camera.up));
-        if (from.mOrthographicWidth > 0 || !angle || !sees) {
-            warn_once(fmt::format(
-                "{}: camera '{}' is orthographic or has no view: it is left out", name_, name));
+        const bool flat = from.mOrthographicWidth > 0; // half the width
+        if (!(flat || angle) || !sees) {
+            warn_once(fmt::format("{}: camera '{}' has no view: it is left out", name_, name));
             continue;
         }
-        made.camera.fov_y_rad = *angle;
+        if (flat)
+            made.camera.orthographic_height =
+                2 * double(from.mOrthographicWidth) / (from.mAspect > 0 ? double(from.mAspect) : 1);
+        else
+            made.camera.fov_y_rad = *angle;
         builder_.add_camera(std::move(made));
     }
 }

@@ -116,16 +116,13 @@ void SceneMaker::add_camera(int number)
     const auto n = static_cast<std::size_t>(number);
     const Camera& camera = document_.cameras[static_cast<std::size_t>(document_.nodes[n].camera)];
     const std::string name = camera.name.empty() ? document_.nodes[n].name : camera.name;
-    if (camera.orthographic) {
-        warn_once(
-            fmt::format("{}: camera '{}' is orthographic, which is not drawn yet: it is left out",
-                document_.name, name));
-        return;
-    }
     SceneCamera made;
     made.name = name;
     made.camera.eye = {0, 0, 0};
-    made.camera.fov_y_rad = camera.y_fov_rad;
+    if (camera.orthographic)
+        made.camera.orthographic_height = 2 * std::abs(double(camera.y_mag));
+    else
+        made.camera.fov_y_rad = camera.y_fov_rad;
     made.node = scene_node_[n];
     builder_.add_camera(std::move(made));
 }

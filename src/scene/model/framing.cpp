@@ -55,7 +55,8 @@ Camera framing_camera(const World& world, const Framing& framing)
     const glm::dvec3 back = glm::normalize(framing.towards_eye);
     const glm::dvec3 right = glm::normalize(glm::cross(framing.up, back));
     const glm::dvec3 up = glm::cross(back, right);
-    const double tan_y = std::tan(framing.fov_y_rad / 2) * (1 - framing.margin);
+    const double tan_y =
+        framing.orthographic ? 0 : std::tan(framing.fov_y_rad / 2) * (1 - framing.margin);
     const double tan_x = tan_y * framing.aspect;
 
     // A vertex p = (x, y, z) along right, up and back is inside of the right side of the frustum of an eye e
@@ -80,6 +81,22 @@ Camera framing_camera(const World& world, const Framing& framing)
         first = false;
     }
     if (radius == 0) radius = std::max(1.0, 1e-3 * glm::length(middle));
+    if (framing.orthographic) {
+        Camera camera;
+        double width = right_most + left_most, height = top_most + bottom_most;
+        camera.eye = middle + back * (1.5 * radius);
+        if (framing.all_around || !(std::max(width, height) > 0)) {
+            width = height = 2 * radius;
+        } else {
+            camera.eye +=
+                right * ((right_most - left_most) / 2) + up * ((top_most - bottom_most) / 2);
+        }
+        camera.orthographic_height =
+            std::max(height, width / framing.aspect) / (1 - framing.margin);
+        camera.direction = -back;
+        camera.up = framing.up;
+        return camera;
+    }
     const double by_width = (right_most + left_most) / (2 * tan_x);
     const double by_height = (top_most + bottom_most) / (2 * tan_y);
     Camera camera;

@@ -123,8 +123,7 @@ HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> rea
             std::uint64_t lanes = lane_bits(samples, first);
             if (lanes == 0) continue;
             const std::size_t at = std::size_t(block) * kBlockSamples + std::size_t(first);
-            const real3 p =
-                hit_position(rays.eye, ray_direction(rays, first), load(work.hits.t + at));
+            const real3 p = hit_positions(rays, first, load(work.hits.t + at));
             const real3 q = to_light(space, p);
             if (work.cone) {
                 lanes &= bits_of_truth(in_cone(*work.cone, q));

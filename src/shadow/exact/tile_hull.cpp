@@ -53,16 +53,13 @@ TileHull tile_hull(const HitTile& hits)
     if (hits.runs.empty()) return hull;
     const auto [nearest, farthest] = HWY_DYNAMIC_DISPATCH(depths_of)(hits);
     const Rays& rays = hits.rays;
-    const glm::dvec3 eye(rays.eye), right(rays.right), down(rays.down), forward(rays.forward);
     double largest = 0;
     for (std::size_t k = 0; k < 8; ++k) {
         const double last = hits.size - 1, x = rays.x0 + (k & 1 ? last : 0),
                      y = rays.y0 + (k & 2 ? last : 0),
                      t = k & 4 ? double(farthest) : double(nearest);
-        const glm::dvec3 across = right * (x * rays.step_x), along = down * (y * rays.step_y);
-        hull.corner[k] = eye + t * (across + along + forward);
-        const glm::dvec3 sum =
-            glm::abs(eye) + t * (glm::abs(across) + glm::abs(along) + glm::abs(forward));
+        hull.corner[k] = rays.point(x, y, t);
+        const glm::dvec3 sum = rays.point_size(x, y, t);
         largest = std::max({largest, sum.x, sum.y, sum.z});
     }
     hull.rounding = kPositionRounding * largest;

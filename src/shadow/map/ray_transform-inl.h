@@ -19,8 +19,9 @@ namespace HWY_NAMESPACE {
 FIRSTHIT_PURE real3 transform_points(const Rays& to, real x, real y, real t)
 {
     const auto axis = [&](int k) {
-        return real(to.eye[k]) +
-               t * ((x * real(to.right[k]) + y * real(to.down[k])) + real(to.forward[k]));
+        const real offset = x * real(to.right[k]) + y * real(to.down[k]);
+        return to.parallel ? (real(to.eye[k]) + offset) + t * real(to.forward[k])
+                           : real(to.eye[k]) + t * (offset + real(to.forward[k]));
     };
     return real3(axis(0), axis(1), axis(2));
 }

@@ -58,8 +58,8 @@ HWY_INLINE void find_receiver_slopes(
         const V along = dot(n, axis_z), size = hn::Add(across, hn::Abs(along));
         // Height of the light above the plane. A parallel light shines along its z.
         const V above = light.parallel ? hn::Neg(along) : hn::Sub(height, dot(n, from_light));
-        const V least = light.parallel ? noise : hn::Add(noise, hn::Mul(share, height));
-        const auto seen = hn::And(hn::Gt(above, least), hn::Gt(height, hn::Zero(d)));
+        const V least = light.parallel ? noise : hn::Add(noise, hn::Mul(share, hn::Abs(height)));
+        const auto seen = hn::Gt(above, least); // false where the plane is not known: all is 0
         const V receiver_slope = hn::Min(hn::Div(size, above), most);
         hn::Store(hn::DemoteTo(f, hn::IfThenElse(seen, receiver_slope, hn::Set(d, -1.0))), f,
             batch.receiver_slope + i);
@@ -90,7 +90,7 @@ inline void spread_receiver_slope(
             start, std::min<std::size_t>(ReceiverSlopeBatch::kRuns, hits.runs.size() - start));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             HitRun spare;
-            const HitRun& run = known_run(runs[i], world, hits.rays.eye, spare);
+            const HitRun& run = known_run(runs[i], world, hits.rays, spare);
             for (int axis = 0; axis < 3; ++axis) batch.normal[axis][i] = run.plane[axis];
             batch.height[i] = run.plane.w;
         }

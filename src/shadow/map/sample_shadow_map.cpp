@@ -61,6 +61,12 @@ MapView map_view(
     view.reach = float(kNeighbours * 0.5 * maps.filter * map.source.fit.texel);
     const glm::dvec3 eye = glm::abs(glm::dvec3(hits.rays.eye) - map.origin);
     view.rounding = kRounding * float(eye.x + eye.y + eye.z);
+    if (hits.rays.parallel) {
+        // Where a ray starts is rounded as the eye of others is.
+        const glm::dvec2 reach = hits.rays.lattice().reach(hits.size, hits.size);
+        const glm::dvec3 across = hits.rays.point_size(reach.x, reach.y, 0);
+        view.rounding += kRounding * float(across.x + across.y + across.z);
+    }
     return view;
 }
 
@@ -321,12 +327,9 @@ int common_face(const LightFrame& frame, const HitTile& hits, const HitDepths& d
     for (int corner = 0; corner < 8; ++corner) {
         const double x = double(to.x0) + (corner & 1 ? hits.size - 1 : 0),
                      y = double(to.y0) + (corner & 2 ? hits.size - 1 : 0);
-        const glm::dvec3 right = x * glm::dvec3(to.right), down = y * glm::dvec3(to.down),
-                         forward(to.forward), from(to.eye);
         const double t = depth[corner / 4];
-        const glm::dvec3 p = from + t * (right + down + forward), size = glm::abs(p);
-        const glm::dvec3 added =
-            glm::abs(from) + t * (glm::abs(right) + glm::abs(down) + glm::abs(forward));
+        const glm::dvec3 p = to.point(x, y, t), size = glm::abs(p);
+        const glm::dvec3 added = to.point_size(x, y, t);
         const double rounding = double(kRounding) * std::max({added.x, added.y, added.z});
         const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
         if (!(size[axis] - std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]) > rounding))

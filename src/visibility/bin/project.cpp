@@ -56,7 +56,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     };
     auto eye_x = along(0), eye_y = along(1), eye_z = along(2);
     if (pencil.parallel) {
-        eye_z = hn::Div(hn::Set(d, 1.0), hn::Sub(hn::Set(d, pencil.far), eye_z));
+        eye_z = hn::Div(hn::Set(d, pencil.scale), hn::Sub(hn::Set(d, pencil.far), eye_z));
         eye_x = hn::Mul(eye_x, eye_z);
         eye_y = hn::Mul(eye_y, eye_z);
     }
@@ -66,7 +66,7 @@ void project(const float* HWY_RESTRICT xyz, const Pencil& pencil, float* HWY_RES
     const auto limit = hn::Set(f, kFarthest);
     const auto finite = hn::And(
         hn::Lt(hn::Abs(x), limit), hn::And(hn::Lt(hn::Abs(y), limit), hn::Lt(hn::Abs(z), limit)));
-    auto in_front = hn::And(finite, hn::Gt(z, hn::Zero(f)));
+    auto in_front = hn::And(finite, hn::Gt(z, hn::Set(f, pencil.nearest)));
     if constexpr (kSpace == CornerSpace::flat) {
         const auto widest = hn::Mul(z, hn::Set(f, kFlattest));
         in_front = hn::And(hn::And(in_front, hn::Ge(z, hn::Set(f, kNearestFlat))),
@@ -143,6 +143,8 @@ void project_vertices(std::span<const glm::vec3> position, const Pencil& pencil,
         HWY_DYNAMIC_DISPATCH(project_range)
         (position.subspan(first, last - first), first, pencil, mesh);
     });
+    if (pencil.parallel && space == CornerSpace::eye)
+        mesh.cutouts.look_along(pencil, mesh.corner.span(), mesh.index);
 }
 
 } // namespace firsthit

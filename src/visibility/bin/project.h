@@ -14,7 +14,8 @@ namespace firsthit {
 /// Fills mesh.corner with the vertices in the pencil's eye space, and sets mesh.corner_space. Each
 /// coordinate is computed in double and rounded once; flat coordinates are computed from the
 /// rounded ones in eye space and rounded again. Equal positions get equal bits, on every
-/// instruction set.
+/// instruction set. Of an orthographic camera's pencil, the triangles that reach behind its eye become
+/// cut-outs of the mesh.
 ///
 /// position  (V) in world space
 void project_vertices(std::span<const glm::vec3> position, const Pencil& pencil, EyeMesh& mesh,

@@ -42,6 +42,9 @@ inline bool box_of(std::uint32_t triangle, const EyeMesh& mesh, const Pencil& pe
     const VertexSamples a = samples(vertices.x), b = samples(vertices.y), c = samples(vertices.z);
     const std::int16_t least_x = std::min({a.x, b.x, c.x});
     if (least_x == VertexSamples::kBehind) [[unlikely]] {
+        // Of parallel rays, what has no corner in front of the eye is not seen. Other rays leave this to
+        // careful_box.
+        if (pencil.parallel && a.x == b.x && b.x == c.x) return false;
         const auto found = careful_box(triangle,
             {eye_corner(mesh, vertices.x), eye_corner(mesh, vertices.y),
                 eye_corner(mesh, vertices.z)},

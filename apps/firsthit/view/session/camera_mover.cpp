@@ -43,6 +43,7 @@ void CameraMover::take(const Camera& camera, const Box& box, const glm::dvec3& u
     if (!(far > least)) far = std::max(least, radius_of(box));
     eye_ = camera.eye;
     at_ = eye_ + forward * far;
+    ortho_height_ = camera.orthographic_height.value_or(0);
     fov_deg_ = camera.fov_y_rad * 180 / std::numbers::pi;
     if (camera.focal)
         fov_deg_ = 2 * std::atan(0.5 * height / camera.focal->y) * 180 / std::numbers::pi;
@@ -95,8 +96,7 @@ void CameraMover::look(double right_rad, double up_rad)
 void CameraMover::pan(const glm::dvec2& moved)
 {
     const auto [right, up, forward] = axes();
-    const double height = 2 * distance() * std::tan(camera().fov_y_rad / 2);
-    const glm::dvec3 step = (right * -moved.x + up * moved.y) * height;
+    const glm::dvec3 step = (right * -moved.x + up * moved.y) * height();
     eye_ += step;
     at_ += step;
 }
@@ -104,8 +104,15 @@ void CameraMover::pan(const glm::dvec2& moved)
 void CameraMover::zoom(double factor, const glm::dvec2& pointer)
 {
     const auto [right, up, forward] = axes();
-    const double height = 2 * distance() * std::tan(camera().fov_y_rad / 2);
-    const glm::dvec3 p = at_ + (right * pointer.x - up * pointer.y) * height;
+    const glm::dvec3 p = at_ + (right * pointer.x - up * pointer.y) * height();
+    if (ortho_height_ > 0) {
+        // The eye keeps its distance: nothing is to fall behind it.
+        const glm::dvec3 moved = (p - at_) * (1 - factor);
+        eye_ += moved;
+        at_ += moved;
+        ortho_height_ = std::clamp(ortho_height_ * factor, 1e-12, 1e12);
+        return;
+    }
     eye_ = p + (eye_ - p) * factor;
     at_ = p + (at_ - p) * factor;
 }
@@ -121,6 +128,14 @@ void CameraMover::fly(const glm::dvec3& moved)
 void CameraMover::frame(
     const Box& box, const glm::dvec3& towards_eye, const glm::dvec3& up, double aspect)
 {
+    if (ortho_height_ > 0) {
+        const double radius = radius_of(box);
+        ortho_height_ = 2 * 1.05 * radius / std::min(1.0, aspect);
+        at_ = middle_of(box);
+        eye_ = at_ + glm::normalize(towards_eye) * (2 * radius);
+        up_ = glm::normalize(up);
+        return;
+    }
     const double half = camera().fov_y_rad / 2;
     const double across = std::atan(std::tan(half) * aspect);
     at_ = middle_of(box);
@@ -141,7 +156,13 @@ Camera CameraMover::camera() const
     camera.direction = at_ - eye_; // as --at is understood
     camera.up = up_;
     camera.fov_y_rad = fov_deg_ * (3.14159265358979323846 / 180); // as --fov is, to the bit
+    if (ortho_height_ > 0) camera.orthographic_height = ortho_height_;
     return camera;
+}
+
+double CameraMover::height() const
+{
+    return ortho_height_ > 0 ? ortho_height_ : 2 * distance() * std::tan(camera().fov_y_rad / 2);
 }
 
 double CameraMover::distance() const
@@ -151,8 +172,10 @@ double CameraMover::distance() const
 
 std::string CameraMover::as_options() const
 {
+    const std::string lens = ortho_height_ > 0 ? fmt::format("--ortho {}", ortho_height_)
+                                               : fmt::format("--fov {}", fov_deg_);
     return fmt::format(
-        "--eye {} --at {} --up {} --fov {}", spelled(eye_), spelled(at_), spelled(up_), fov_deg_);
+        "--eye {} --at {} --up {} {}", spelled(eye_), spelled(at_), spelled(up_), lens);
 }
 
 } // namespace firsthit::cli::view

@@ -13,7 +13,7 @@
 
 namespace firsthit::cli::view {
 
-/// A pinhole camera with the point that it turns about. What it shows is what `render` shows with the options
+/// A pinhole or orthographic camera with the point that it turns about. What it shows is what `render` shows with the options
 /// that as_options() writes, bit for bit.
 class CameraMover {
   public:
@@ -33,7 +33,8 @@ class CameraMover {
     void look(double right_rad, double up_rad);
     /// Moves sideways. moved  as a share of the picture's height, right and down
     void pan(const glm::dvec2& moved);
-    /// Comes nearer by a factor below 1, or goes away; what is under the pointer stays there.
+    /// Comes nearer by a factor below 1, or goes away; what is under the pointer stays there. The picture of an
+    /// orthographic camera gets smaller or larger by it too.
     /// pointer  from the picture's middle, as a share of its height, right and down
     void zoom(double factor, const glm::dvec2& pointer);
     /// Flies along its axes, in units of the distance to the point in the middle. x right, y up, z forward
@@ -47,7 +48,7 @@ class CameraMover {
     Camera camera() const;
     double distance() const;
 
-    /// "--eye x,y,z --at x,y,z --up x,y,z --fov DEG", with all digits.
+    /// "--eye x,y,z --at x,y,z --up x,y,z --fov DEG", with all digits; or --ortho HEIGHT.
     std::string as_options() const;
 
   private:
@@ -55,11 +56,14 @@ class CameraMover {
     std::array<glm::dvec3, 3> axes() const;
     /// Turns a vector from the eye or to it.
     glm::dvec3 turned(const glm::dvec3& v, double right_rad, double up_rad) const;
+    /// The height of the picture at the point in the middle, world units.
+    double height() const;
 
     glm::dvec3 eye_{0, 0, 3};
     glm::dvec3 at_{0};
     glm::dvec3 up_{0, 1, 0};
     double fov_deg_ = 45;
+    double ortho_height_ = 0; // of an orthographic camera; 0: a pinhole camera
 };
 
 } // namespace firsthit::cli::view

@@ -5,7 +5,7 @@
 
 A scene is pyrender's own or has the same fields: mesh_nodes, light_nodes, main_camera_node, get_pose(node), bg_color,
 ambient_light; primitives have positions, indices, normals, texcoord_0, color_0, poses and a metallic-roughness material. Left
-out: lines and points, orthographic cameras, skins, all maps but baseColorTexture, znear and
+out: lines and points, skins, all maps but baseColorTexture, znear and
 zfar. Both sides of every triangle are seen, as with SKIP_CULL_FACES. Colours are sRGB by its curve in the place of a power of
 1 / 2.2, and shadows exact, so that pictures are not those of pyrender to the byte.
 """
@@ -13,7 +13,7 @@ zfar. Both sides of every triangle are seen, as with SKIP_CULL_FACES. Colours ar
 import numpy as np
 
 from .. import _firsthit as _core
-from ..cameras import from_gltf, from_opencv
+from ..cameras import from_gltf, from_opencv, ortho
 from ..lights import directional, point, spot
 from ..rendering import render
 from ._arrays import to_numpy
@@ -100,10 +100,13 @@ def _bytes(frame, background, with_alpha):
 def _camera(camera, pose, size):
     if hasattr(camera, "yfov"):
         return from_gltf(pose, camera.yfov, size)
+    if hasattr(camera, "ymag"):
+        forward, up = -pose[:3, 2], pose[:3, 1]
+        return ortho(pose[:3, 3], pose[:3, 3] + forward, up, size=size, height=2 * camera.ymag)
     if hasattr(camera, "fx"):
         k = [[camera.fx, 0, camera.cx], [0, camera.fy, camera.cy], [0, 0, 1]]
         return from_opencv(k, np.diag([1.0, -1, -1, 1]) @ np.linalg.inv(pose), size, pixel_center=0.5)
-    raise NotImplementedError(f"{type(camera).__name__}: only perspective and intrinsics cameras can be used")
+    raise NotImplementedError(f"{type(camera).__name__}: only perspective, orthographic and intrinsics cameras can be used")
 
 
 def _scene(scene, unlit, plain):
