@@ -89,7 +89,7 @@ bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, const Occlude
 {
     const Corners& c = occluder.corners;
     return is_shadowed(space, c, d, effort) &&
-           cutouts.is_there(occluder.triangle, pencil_corners(space, c), pencil_ray(space, d));
+           cutouts.is_there(occluder.triangle, weight_corners(space, c), pencil_ray(space, d));
 }
 
 } // namespace firsthit

@@ -59,29 +59,62 @@ bool is_behind(const Corners& c, int facing, const vec3& d, float of_point, Effo
 
 } // namespace
 
-PencilSpace light_space(const Light& light, const glm::dvec3& eye)
+namespace {
+
+double largest(const glm::dvec3& v)
 {
-    const auto largest = [](const glm::dvec3& v) {
-        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    };
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// The rows of a rotation that turns the unit vector z to z. Starts from the world axis that is most
+/// perpendicular to it, so that a light along a world axis has world axes.
+glm::dmat3 axes_along(const glm::dvec3& z)
+{
+    const glm::dvec3 size = glm::abs(z);
+    glm::dvec3 away(0);
+    away[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
+    const glm::dvec3 x = glm::normalize(glm::cross(away, z));
+    return glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
+}
+
+} // namespace
+
+bool is_far_lamp(const Light& light, float farthest)
+{
+    return light.kind != Light::Kind::directional &&
+           largest(light.position) > kFarLamp * double(farthest);
+}
+
+PencilSpace light_space(const Light& light, const glm::dvec3& eye, float farthest)
+{
     PencilSpace space;
-    space.directional = light.kind == Light::Kind::directional;
+    space.directional = light.kind == Light::Kind::directional || is_far_lamp(light, farthest);
     if (!space.directional) {
         space.origin = glm::vec3(light.position);
         space.reach = float(largest(light.position) + largest(eye));
         return space;
     }
+    const bool far = light.kind != Light::Kind::directional;
+    const glm::dvec3 along = far ? -light.position : light.direction;
     // Scaled before it is normalised, as squares of the coordinates could under- or overflow.
-    const glm::dvec3 z = glm::normalize(light.direction / largest(light.direction));
-    // Start from the world axis that is most perpendicular to z, so that a light along a world axis
-    // has world axes.
-    const glm::dvec3 size = glm::abs(z);
-    glm::dvec3 away(0);
-    away[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
-    const glm::dvec3 x = glm::normalize(glm::cross(away, z));
-    space.axes = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
+    space.axes = axes_along(glm::normalize(along / largest(along)));
     space.reach = float(largest(eye));
+    if (far) {
+        space.distance = glm::length(light.position);
+        space.lamp = glm::vec3(light.position);
+    }
     return space;
+}
+
+Corners weight_corners(const PencilSpace& space, const Corners& c)
+{
+    if (!(space.distance > 0)) return pencil_corners(space, c);
+    Corners to;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double share = 1 - double(c[k].z) / space.distance; // D / (D + z) of the world's z
+        to[k] = vec3(glm::dvec3(double(c[k].x), double(c[k].y), 1) / share);
+    }
+    return to;
 }
 
 Receiver receiver_of(const Corners& c, int side)

@@ -8,6 +8,11 @@
 // z = -infinity through (d.x, d.y). Whether it hits a triangle is decided by the same predicates,
 // with the z of the ray and of all corners replaced by 1.
 //
+// A lamp that is far away from all vertices and points is seen as a directional light too, as its rays are
+// nearly parallel: positions relative to it would lose the scene's own size in rounding. With the lamp at
+// (0, 0, -D) and its light along z, (x, y, z) becomes k (x, y, z), k = D / (D + z). This projective map makes
+// the lamp's rays parallel to z; planes stay planes, and order along a ray stays.
+//
 //   shadowed  iff the ray hits, and d lies behind the triangle's plane by more than both margins:
 //             facing * N . (d - v0) > (shadow_margin(d) + corner_margin) * (|N.x| + |N.y| + |N.z|)
 //
@@ -37,6 +42,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace firsthit {
 
@@ -74,20 +80,43 @@ struct PencilSpace {
     glm::vec3 origin{0}; // point, spot: where the light is
     glm::dmat3 axes{1};  // directional: orthonormal; the third row is the direction of the light
     float reach = 0; // largest coordinates of light and eye, which points were rounded relative to
+    double distance = 0; // D of a lamp that is seen as directional; else 0
+    glm::vec3 lamp{0};   // where that lamp is
+
+    /// Moves a point into the space of a directional light or a far lamp. Not rounded to float.
+    glm::dvec3 turned(const glm::dvec3& p) const
+    {
+        const auto row = [&](int r) {
+            return (axes[0][r] * p.x + axes[1][r] * p.y) + axes[2][r] * p.z;
+        };
+        const glm::dvec3 q(row(0), row(1), row(2));
+        return distance > 0 ? q * (distance / (distance + q.z)) : q;
+    }
 };
 
-/// eye  position from which the points were computed: their rounding errors depend on it
-PencilSpace light_space(const Light& light, const glm::dvec3& eye);
+/// A lamp that is so many times as far from the world's origin as any vertex or point is seen as directional.
+inline constexpr double kFarLamp = 64;
+
+/// eye       position from which the points were computed: their rounding errors depend on it
+/// farthest  the largest coordinate of all vertices and points; infinite: no lamp is far
+PencilSpace light_space(const Light& light, const glm::dvec3& eye,
+    float farthest = std::numeric_limits<float>::infinity());
+
+/// Whether a lamp is far from what has no larger coordinate than `farthest`.
+bool is_far_lamp(const Light& light, float farthest);
 
 /// Moves a point or vertex into the light's space, with a single rounding.
 inline glm::vec3 to_light(const PencilSpace& space, const glm::vec3& p)
 {
-    if (!space.directional) return p - space.origin;
-    const auto row = [&](int r) {
-        return float((space.axes[0][r] * double(p.x) + space.axes[1][r] * double(p.y)) +
-                     space.axes[2][r] * double(p.z));
-    };
-    return {row(0), row(1), row(2)};
+    return space.directional ? glm::vec3(space.turned(glm::dvec3(p))) : p - space.origin;
+}
+
+/// From a lamp to a point: what cones of spots are asked for.
+///
+/// d  to_light of p
+inline glm::vec3 from_lamp(const PencilSpace& space, const glm::vec3& p, const glm::vec3& d)
+{
+    return space.distance > 0 ? p - space.lamp : d;
 }
 
 inline float largest_coordinate(const glm::vec3& d)
@@ -141,7 +170,11 @@ inline Corners pencil_corners(const PencilSpace& space, const Corners& c)
         glm::vec3(c[0].x, c[0].y, 1), glm::vec3(c[1].x, c[1].y, 1), glm::vec3(c[2].x, c[2].y, 1)};
 }
 
-/// The direction of the light's ray through d that goes with pencil_corners.
+/// The same for the weights of the corners, which are those of the world. A far lamp's space has weights of
+/// its own: so its corners are (x, y, z) / k there, with 1 + z / D = 1 / k in the place of z. Rounded once.
+Corners weight_corners(const PencilSpace& space, const Corners& c);
+
+/// The direction of the light's ray through d that goes with pencil_corners and weight_corners.
 inline glm::vec3 pencil_ray(const PencilSpace& space, const glm::vec3& d)
 {
     return space.directional ? glm::vec3(d.x, d.y, 1) : d;

@@ -32,7 +32,7 @@ struct OccluderContext {
     {
         if (!receivers.empty() && triangle == receivers[point]) return false;
         return !triangles.cutouts ||
-               triangles.cutouts->is_there(triangle, pencil_corners(space, triangles[triangle]),
+               triangles.cutouts->is_there(triangle, weight_corners(space, triangles[triangle]),
                    pencil_ray(space, points[point]));
     }
 };

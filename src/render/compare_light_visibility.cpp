@@ -11,6 +11,7 @@
 #endif
 #include "render/check_settings.h"
 #include "scene/model/check_light.h"
+#include "shadow/exact/tile_hull.h"
 #include "visibility/bin/project.h"
 
 #include <firsthit/compare.h>
@@ -38,7 +39,7 @@ struct LightVisibilityScene {
     LightTriangles triangles;
 
     LightVisibilityScene(const World& world, const Light& light, const glm::dvec3& eye)
-        : space(light_space(light, eye)),
+        : space(light_space(light, eye, farthest_coordinate(light, world.position))),
           corner(all_to_light(space, world.position)),
           triangles{corner, world.scene->index, &cutouts}
     {
@@ -61,9 +62,9 @@ Reachable find_reachable(
         const Corners corners = lit.triangles[item];
         const int side = light_side(lit.space, corners, effort);
         if (side == 0 || side != volume_sign(eye[item], effort)) continue;
-        const glm::vec3 d =
-            to_light(lit.space, {position[3 * k], position[3 * k + 1], position[3 * k + 2]});
-        if (light.kind == Light::Kind::spot && !in_cone(cone, d)) continue;
+        const glm::vec3 p(position[3 * k], position[3 * k + 1], position[3 * k + 2]);
+        const glm::vec3 d = to_light(lit.space, p);
+        if (light.kind == Light::Kind::spot && !in_cone(cone, from_lamp(lit.space, p, d))) continue;
         reachable.pixel.push_back(std::uint32_t(k));
         reachable.point.push_back(lifted(lit.space, d, receiver_of(corners, side)));
         reachable.item.push_back(item);

@@ -27,14 +27,17 @@ struct Occlusion::Impl {
     {
         if (points.empty()) return;
         // The points are exact: they were not computed relative to an eye.
-        const PencilSpace space = light_space(light, glm::dvec3(0));
+        float farthest = farthest_coordinate(light, world.position);
+        if (is_far_lamp(light, farthest)) farthest = std::max(farthest, largest_coordinate(points));
+        const PencilSpace space = light_space(light, glm::dvec3(0), farthest);
         test_points({world, space}, set, memory, tasks, occluded);
         if (light.kind != Light::Kind::spot) return;
         const SpotCone cone = spot_cone(light);
         tasks.for_ranges(points.size(), 16384, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
                 const glm::vec3 d = to_light(space, points[k]);
-                if (has_shadow_ray(space, d) && !in_cone(cone, d)) occluded[k] = 1;
+                if (has_shadow_ray(space, d) && !in_cone(cone, from_lamp(space, points[k], d)))
+                    occluded[k] = 1;
             }
         });
     }

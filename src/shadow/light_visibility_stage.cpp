@@ -16,8 +16,10 @@ void find_dark_lights(const World& world, const glm::dvec3& eye, std::span<const
     LightVisibilityMemory& memory, Tasks& tasks)
 {
     for (std::size_t light = 0; light < world.lights.size(); ++light) {
-        memory.dark[light] = find_occluded_tiles(
-            world, light_space(world.lights[light], eye), tiles, memory.tile_occlusion, tasks);
+        memory.dark[light] = find_occluded_tiles(world,
+            light_space(
+                world.lights[light], eye, farthest_coordinate(world.lights[light], world.position)),
+            tiles, memory.tile_occlusion, tasks);
         if (memory.dark[light]) continue;
         tasks.for_each(tiles.size(), [&](std::size_t tile, std::size_t worker) {
             add_hits(tiles[tile], light, memory.maps, worker);

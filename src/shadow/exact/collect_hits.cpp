@@ -126,7 +126,9 @@ HWY_INLINE void for_points(const CollectWork& work, std::span<std::uint64_t> rea
             const real3 p = hit_positions(rays, first, load(work.hits.t + at));
             const real3 q = to_light(space, p);
             if (work.cone) {
-                lanes &= bits_of_truth(in_cone(*work.cone, q));
+                const glm::vec3& lamp = space.lamp;
+                const real3 from = space.distance > 0 ? p - real3(lamp.x, lamp.y, lamp.z) : q;
+                lanes &= bits_of_truth(in_cone(*work.cone, from));
                 if (lanes == 0) continue;
             }
             reached[block] |= lanes << first;

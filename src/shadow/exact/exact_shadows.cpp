@@ -163,7 +163,8 @@ void test_exact_shadow(const SeenTiles& seen, const Light& light, ShadowMemory& 
     TileOcclusion* const tile_occlusion = seen.tile_occlusion;
     const std::size_t size = std::size_t(tiles[0].size), samples = size * size;
     const std::size_t blocks = samples / kBlockSamples;
-    const PencilSpace space = light_space(light, seen.eye);
+    const PencilSpace space =
+        light_space(light, seen.eye, farthest_coordinate(light, world.position));
     std::optional<SpotCone> cone;
     if (light.kind == Light::Kind::spot) cone = spot_cone(light);
     Stopwatch watch;

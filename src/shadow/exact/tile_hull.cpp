@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace firsthit {
@@ -70,6 +71,18 @@ TileHull tile_hull(const HitTile& hits)
 float largest_coordinate(std::span<const glm::vec3> points)
 {
     return points.empty() ? 0 : HWY_DYNAMIC_DISPATCH(largest_of)(&points[0].x, 3 * points.size());
+}
+
+float farthest_coordinate(const Light& light, std::span<const glm::vec3> points)
+{
+    constexpr std::size_t kChunk = 4096;
+    float farthest = 0;
+    for (std::size_t first = 0; first < points.size(); first += kChunk) {
+        farthest = std::max(farthest,
+            largest_coordinate(points.subspan(first, std::min(kChunk, points.size() - first))));
+        if (!is_far_lamp(light, farthest)) return std::numeric_limits<float>::infinity();
+    }
+    return farthest;
 }
 
 } // namespace firsthit

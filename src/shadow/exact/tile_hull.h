@@ -1,6 +1,7 @@
 // tile_hull.h - a convex hull around the hits of a tile.
 #pragma once
 
+#include "exact/shadow_ray.h"
 #include "hits/hit_tile.h"
 
 #include <glm/vec3.hpp>
@@ -27,5 +28,9 @@ TileHull tile_hull(const HitTile& hits);
 
 /// The largest absolute value of all coordinates; 0 without points.
 float largest_coordinate(std::span<const glm::vec3> points);
+
+/// The same where the lamp is far from all points (is_far_lamp in exact/shadow_ray.h). Infinite where it is
+/// not, which is mostly found by the first of them.
+float farthest_coordinate(const Light& light, std::span<const glm::vec3> points);
 
 } // namespace firsthit

@@ -45,7 +45,7 @@ void find_occluders(const Scene& scene, const Cutouts& cutouts, Buffer<std::uint
 
 dvec3 in_light_space(const PencilSpace& space, const dvec3& p)
 {
-    return space.directional ? space.axes * p : p - dvec3(space.origin);
+    return space.directional ? space.turned(p) : p - dvec3(space.origin);
 }
 
 Corners corners_in_light_space(const World& world, const PencilSpace& space, std::uint32_t triangle)

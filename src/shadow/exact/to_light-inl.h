@@ -24,13 +24,19 @@ HWY_INLINE real3 to_light(const PencilSpace& space, real3 p)
     for (int k = 0; k < kLanes; k += int(hn::Lanes(d))) {
         const auto wide = [&](const float* v) { return hn::PromoteTo(d, hn::Load(f, v + k)); };
         const auto px = wide(x), py = wide(y), pz = wide(z);
-        const auto row = [&](int r, float* to) {
+        const auto row = [&](int r) {
             const auto xy = hn::Add(hn::Mul(hn::Set(d, space.axes[0][r]), px),
                 hn::Mul(hn::Set(d, space.axes[1][r]), py));
-            const auto sum = hn::Add(xy, hn::Mul(hn::Set(d, space.axes[2][r]), pz));
-            hn::Store(hn::DemoteTo(f, sum), f, to + k);
+            return hn::Add(xy, hn::Mul(hn::Set(d, space.axes[2][r]), pz));
         };
-        row(0, x), row(1, y), row(2, z);
+        auto qx = row(0), qy = row(1), qz = row(2);
+        if (space.distance > 0) {
+            const auto distance = hn::Set(d, space.distance);
+            const auto share = hn::Div(distance, hn::Add(distance, qz));
+            qx = hn::Mul(qx, share), qy = hn::Mul(qy, share), qz = hn::Mul(qz, share);
+        }
+        const auto keep = [&](auto q, float* to) { hn::Store(hn::DemoteTo(f, q), f, to + k); };
+        keep(qx, x), keep(qy, y), keep(qz, z);
     }
     return real3(load(x), load(y), load(z));
 }
