@@ -3,7 +3,6 @@
 #include "compare_command.h"
 
 #include "engine_report.h"
-#include "options/light_options.h"
 #include "inputs/scene_source.h"
 #include "common/add_parsed.h"
 #include "common/output.h"
@@ -54,17 +53,22 @@ std::optional<Oracle> parse_oracle(const std::string& text)
         fmt::format("'{}' cannot be compared with: accepted are brute, embree and cpu", text));
 }
 
+constexpr int kBands = 16;
+
 /// The picture cut into bands, so that slow work shows how far it is. Brute force takes as long in
 /// bands as at once; Embree would build its structure again for each, so it gets one.
-std::vector<Region> bands(const CompareOptions& options)
+std::vector<Region> bands(const View& view, Oracle oracle)
 {
-    const Size size = options.camera.pixels();
-    const int count = options.oracle != Oracle::embree ? std::min(size.height, 16) : 1;
+    Region all = view.region;
+    if (all.width == 0) all.width = view.width - all.x;
+    if (all.height == 0) all.height = view.height - all.y;
+    if (oracle == Oracle::embree || all.width < 1 || all.height < 1) return {all};
+    const int count = std::min(all.height, kBands);
     std::vector<Region> regions;
     for (int k = 0; k < count; ++k) {
-        const int y = static_cast<int>(std::int64_t(size.height) * k / count);
-        const int end = static_cast<int>(std::int64_t(size.height) * (k + 1) / count);
-        regions.push_back({.x = 0, .y = y, .width = size.width, .height = end - y});
+        const int y = static_cast<int>(std::int64_t(all.height) * k / count);
+        const int end = static_cast<int>(std::int64_t(all.height) * (k + 1) / count);
+        regions.push_back({.x = all.x, .y = all.y + y, .width = all.width, .height = end - y});
     }
     return regions;
 }
@@ -83,17 +87,9 @@ void add_compare_options(CLI::App& app, CompareOptions& options)
     add_parsed(app, "--shadows", options.shadows, parse_shadows, "none|map|exact",
         "With brute and embree, exact: compare which lights reach the hits, too; default none. "
         "With cpu: the pictures' shadows; default map");
-    CLI::Option* time = add_parsed(app, "--time", options.time_s, parse_number, "S",
-        "Seconds; default the begin of the scene's animation");
-    add_parsed(app, "--frames", options.frames, parse_frames, "A:B:N",
-        "N frames from time A to time B, both included; counts are summed")
-        ->excludes(time);
-    add_camera_options(app, options.camera);
+    add_light_option(app, options.light);
+    add_picture_set_options(app, options);
     add_engine_options(app, options.engine);
-    add_parsed(
-        app, "--threads", options.threads,
-        [](const std::string& text) { return parse_integer(text, 0, 1024); }, "N",
-        "Threads, 0 to 1024; default 0: one for each core");
     app.add_flag("--json", options.json, "Print one JSON object");
     app.footer(kCompareExamples);
 }
@@ -172,32 +168,26 @@ std::string comparison_text(const Comparison& comparison, const std::optional<Li
 
 namespace {
 
-std::vector<double> times_of(const CompareOptions& options, double begin_s)
-{
-    return options.frames.empty() ? std::vector<double>{options.time_s.value_or(begin_s)}
-                                  : options.frames;
-}
-
 int compare_with_oracle(const CompareOptions& options, SceneSource& source)
 {
     PoseSettings chosen = pose_settings(options.scene.pose, *source.first());
-    const std::vector<double> times = times_of(options, chosen.time_s);
-    const std::vector<Region> regions = bands(options);
+    const Frames frames = frames_of(options, options.frames, *source.first(), chosen);
     ViewMaker views(options.camera, options.scene.shown_name());
     World world;
     Comparison sum;
     std::optional<LitComparison> lit;
     if (options.shadows == Shadows::exact) lit.emplace();
     {
-        Progress progress("compared", times.size() * regions.size());
-        for (const double time_s : times) {
-            chosen.time_s = time_s;
-            pose(source.scene_at(time_s), chosen, world);
-            View view = views.view(world);
-            for (const Region& region : regions) {
+        const Oracle oracle = *options.oracle;
+        Progress progress("compared", frames.size() * (oracle == Oracle::embree ? 1 : kBands));
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            chosen.time_s = frames.time_s[k];
+            pose(source.scene_at(chosen.time_s), chosen, world);
+            View view = views.view(world, k);
+            for (const Region& region : bands(view, oracle)) {
                 view.region = region;
-                sum = sum + compare(world, view, *options.oracle, options.threads);
-                if (lit) lit = *lit + compare_lit(world, view, *options.oracle, options.threads);
+                sum = sum + compare(world, view, oracle, options.threads);
+                if (lit) lit = *lit + compare_lit(world, view, oracle, options.threads);
                 progress.advance();
             }
         }
@@ -212,17 +202,17 @@ int compare_with_cpu(const CompareOptions& options, SceneSource& source)
     settings.shadows = options.shadows;
     apply(options.engine, settings);
     PoseSettings chosen = pose_settings(options.scene.pose, *source.first());
-    const std::vector<double> times = times_of(options, chosen.time_s);
+    const Frames frames = frames_of(options, options.frames, *source.first(), chosen);
     ViewMaker views(options.camera, options.scene.shown_name());
     EngineComparer comparer(options.threads);
     World world;
     EngineComparison sum;
     {
-        Progress progress("compared", times.size());
-        for (const double time_s : times) {
-            chosen.time_s = time_s;
-            pose(source.scene_at(time_s), chosen, world);
-            sum = sum + comparer.compare(world, views.view(world), settings);
+        Progress progress("compared", frames.size());
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            chosen.time_s = frames.time_s[k];
+            pose(source.scene_at(chosen.time_s), chosen, world);
+            sum = sum + comparer.compare(world, views.view(world, k), settings);
             progress.advance();
         }
     }
@@ -238,7 +228,11 @@ int run_compare(const CompareOptions& given)
 {
     check(given);
     CompareOptions options = given;
-    SceneSource source(options.scene);
+    read_files(options);
+    turn_suns(
+        options.camera.up_axis.value_or(usual_up_axis(options.scene.shown_name())), options.light);
+    options.scene.fps_of_frames = options.frames.clip || !options.frames.numbers.empty();
+    SceneSource source(options.scene, [&](Scene& scene) { apply(options.light, scene); });
     take_size(*source.first(), options.camera);
     return options.oracle ? compare_with_oracle(options, source)
                           : compare_with_cpu(options, source);

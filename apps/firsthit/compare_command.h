@@ -2,10 +2,10 @@
 // engine on OpenGL against the cpu engine.
 #pragma once
 
-#include "options/camera_options.h"
-#include "options/engine_options.h"
 #include "common/json.h"
-#include "options/scene_options.h"
+#include "options/engine_options.h"
+#include "options/light_options.h"
+#include "options/picture_set_options.h"
 
 #include <firsthit/compare.h>
 
@@ -19,15 +19,11 @@ class App;
 
 namespace firsthit::cli {
 
-struct CompareOptions {
-    SceneOptions scene;
-    CameraOptions camera;
+struct CompareOptions : PictureSetOptions {
     std::optional<Oracle> oracle; // none: the cpu engine
     EngineOptions engine;
-    std::optional<double> time_s;         // none: the scene's begin
-    std::vector<double> frames;           // times; empty: one comparison at time_s
+    LightOptions light;                   // of which --light is an option
     Shadows shadows = Shadows::automatic; // of pictures; exact: lights are compared with oracles
-    int threads = 0;
     bool json = false;
 };
 

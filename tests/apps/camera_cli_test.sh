@@ -129,8 +129,13 @@ writes render builtin:torus "${size[@]}" -o eye.exr --ortho 3 --eye 0,4,0.1 --at
 refuses 2 '--ortho and --fov exclude each other' render builtin:torus --ortho 3 --fov 40 -o a.png
 refuses 2 '--ortho and --intrinsics exclude' render builtin:torus --ortho 3 --intrinsics 9,9,1,1 -o a.png
 refuses 2 'is no height of an orthographic picture' render builtin:torus --ortho 0 -o a.png
-refuses 2 '--camera says where the camera is' render builtin:torus --camera transforms.json --ortho 3 -o a.png
+refuses 2 'say it or --ortho' render builtin:torus --camera transforms.json --ortho 3 -o a.png
 refuses 1 'rendered by the cpu engine alone' render builtin:torus --ortho 3 --engine gpu -o a.png
+
+# --- compare takes them too -----------------------------------------------------------------------
+writes compare builtin:torus --against brute "${size[@]}" --ortho 2 --shadows exact --light point:0,9e7,1e7
+writes compare builtin:torus --against brute --camera transforms.json --region 3,2,20,10 --light sun:52.5,13.4,2026-06-21T12:00+02:00
+refuses 2 'accepted is x,y,width,height' compare builtin:torus --against brute --region 1 --light point:0,1,0
 
 # --- lights -------------------------------------------------------------------------------------
 writes render builtin:torus "${size[@]}" -o old.exr --light point:0,5,0

@@ -19,7 +19,7 @@ Shadows parse_shadows(const std::string& text)
         fmt::format("'{}' is no kind of shadows: accepted are none, map and exact", text));
 }
 
-void add_light_options(CLI::App& app, LightOptions& options)
+void add_light_option(CLI::App& app, LightOptions& options)
 {
     app.add_option_function<std::vector<std::string>>(
            "--light",
@@ -41,6 +41,11 @@ void add_light_options(CLI::App& app, LightOptions& options)
            ",north=DEG of a sun; camera: before it hangs it on the camera")
         ->type_name("LIGHT")
         ->allow_extra_args(false);
+}
+
+void add_light_options(CLI::App& app, LightOptions& options)
+{
+    add_light_option(app, options);
     add_parsed(app, "--shadows", options.shadows, parse_shadows, "none|map|exact",
         "none: every light reaches everything; map: shadow maps, quicker and approximate; exact: "
         "what a "

@@ -29,6 +29,9 @@ struct LightOptions {
 /// "none", "map" or "exact". throws  UsageError
 Shadows parse_shadows(const std::string& text);
 
+/// --light
+void add_light_option(CLI::App& app, LightOptions& options);
+
 /// --light, --shadows, --shadow-map-size, --shadow-bias, --shadow-filter
 void add_light_options(CLI::App& app, LightOptions& options);
 
