@@ -147,7 +147,7 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
     Film film;
     std::stop_source stop;
     FrameControl control;
-    if (is_film(options)) { // whose parts have to go before the program ends
+    if (count > 1) { // files are whole, and the parts of a film gone, before the program ends
         control.stop = stop.get_token();
         control.progress = [&stop](double) {
             if (HoldInterrupts::is_pending()) stop.request_stop();

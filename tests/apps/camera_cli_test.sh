@@ -132,6 +132,19 @@ refuses 2 'is no height of an orthographic picture' render builtin:torus --ortho
 refuses 2 'say it or --ortho' render builtin:torus --camera transforms.json --ortho 3 -o a.png
 refuses 1 'rendered by the cpu engine alone' render builtin:torus --ortho 3 --engine gpu -o a.png
 
+# A triangle, and a camera at (0, 0, 2) whose picture is 3 high. Of glTF's camera ymag counts.
+printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0' >flat.bin
+echo '{"asset":{"version":"2.0"},"buffers":[{"uri":"flat.bin","byteLength":36}],
+  "bufferViews":[{"buffer":0,"byteLength":36}],
+  "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+  "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+  "cameras":[{"type":"orthographic","orthographic":{"xmag":9,"ymag":1.5,"znear":0,"zfar":9}}],
+  "nodes":[{"mesh":0},{"camera":0,"translation":[0,0,2]}],"scenes":[{"nodes":[0,1]}],"scene":0}' >flat.gltf
+writes render flat.gltf "${size[@]}" -o own.exr
+writes render flat.gltf "${size[@]}" -o said.exr --ortho 3 --eye 0,0,2 --at 0,0,0
+same own.exr said.exr "the camera of a glTF"
+expect 0 '"orthographic_height": 3' info flat.gltf --json
+
 # --- compare takes them too -----------------------------------------------------------------------
 writes compare builtin:torus --against brute "${size[@]}" --ortho 2 --shadows exact --light point:0,9e7,1e7
 writes compare builtin:torus --against brute --camera transforms.json --region 3,2,20,10 --light sun:52.5,13.4,2026-06-21T12:00+02:00

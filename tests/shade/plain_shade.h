@@ -157,8 +157,8 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     const Scene& scene = *world.scene;
     const ShadeArrays arrays = shade_arrays(world);
     const RunPlane run_plane = firsthit::run_plane(arrays, run.item, hits.rays);
-    const Interpolated<glm::vec3> run_normals = run_normal(
-        arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.rays.eye).plane));
+    const Interpolated<glm::vec3> run_normals =
+        run_normal(arrays, run_plane.corner, glm::vec3(with_plane(run, world, hits.rays).plane));
     const Interpolated<glm::vec2> run_uvs = run_uv(arrays, run_plane.corner);
     const std::size_t at = std::size_t(run.block) * kBlockSamples + std::size_t(sample);
     const real t = hits.t[at], u = hits.u[at], v = hits.v[at];
@@ -181,7 +181,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
     RunFacing facing;
     if (arrays.normal)
         facing = run_facing(
-            arrays, run_plane.corner, glm::vec3(known_run(run, world, hits.rays.eye, spare).plane));
+            arrays, run_plane.corner, glm::vec3(known_run(run, world, hits.rays, spare).plane));
     surface.flat_normal = from_glm(facing.normal);
     surface.bend = facing.bend;
     const auto at_hit = [&](const Interpolated<glm::vec3>& of) {
@@ -215,7 +215,7 @@ inline void shade_sample(const HitTile& hits, const World& world, const LightVis
             if constexpr (constexpr int k = normal_map(kMapsOf<Model>); k >= 0)
                 if (arrays.tangent && texture_of(arrays, model.normal_texture)) {
                     const float side = side_of_normals(arrays, run_plane.corner,
-                        glm::vec3(with_plane(run, world, hits.rays.eye).plane));
+                        glm::vec3(with_plane(run, world, hits.rays).plane));
                     normal =
                         mapped_normal(normal, at_hit(run_tangent(arrays, run_plane.corner, side)),
                             side * arrays.tangent[run_plane.corner.x].w, maps.map[k].rgb,

@@ -16,7 +16,6 @@ constexpr BasicOption kRender[] = {
     {"--eye", "where the eye is"},
     {"--at", "a point that the eye looks at"},
     {"--fov", "full vertical angle of the picture"},
-    {"--ortho", "parallel rays: the picture's height in world units, or fit"},
     {"--intrinsics", "a calibrated lens in pixels: fx,fy,cx,cy"},
     {"--aa", "up to N x N rays at edges; default 4; 1: none"},
     {"--background", "transparent, a colour, or two from top to bottom"},

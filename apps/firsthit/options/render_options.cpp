@@ -171,7 +171,8 @@ Frames frames_of(const RenderOptions& options, const Scene& scene, const PoseSet
 
 void check_memory(const RenderOptions& options, std::size_t lights)
 {
-    const std::uint64_t needed = film_bytes(options, lights);
+    // While one frame is made, another one is written.
+    const std::uint64_t needed = film_bytes(options, lights) * (options.several() ? 2 : 1);
     const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     if (needed <= memory) return;

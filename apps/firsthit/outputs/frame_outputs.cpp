@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace firsthit::cli {
 
@@ -31,9 +32,33 @@ bool FrameOutputs::are_there(std::size_t frame) const
     });
 }
 
-void FrameOutputs::write(const Film& film, std::size_t frame)
+FrameOutputs::~FrameOutputs()
 {
-    const HoldInterrupts hold;
+    if (written_.valid()) written_.wait();
+}
+
+void FrameOutputs::write(Film& film, std::size_t frame)
+{
+    wait();
+    if (!hold_) hold_.emplace();
+    if (frames_.size() == 1) {
+        write_now(film, frame);
+        wait();
+        return;
+    }
+    std::swap(film, writing_);
+    written_ = std::async(std::launch::async, [this, frame] { write_now(writing_, frame); });
+}
+
+/// Until the frame that was given last is written. Then a signal may end the program, unless a film is made.
+void FrameOutputs::wait()
+{
+    if (written_.valid()) written_.get();
+    if (!is_film(options_)) hold_.reset();
+}
+
+void FrameOutputs::write_now(const Film& film, std::size_t frame)
+{
     const int number = frames_.number[frame];
     const auto name_of = [&](const std::string& text) {
         std::string name = file_name(options_, text, number);
@@ -65,6 +90,7 @@ void FrameOutputs::write(const Film& film, std::size_t frame)
 
 void FrameOutputs::finish()
 {
+    wait();
     if (!film_) return;
     film_->finish();
     film_.reset();

@@ -5,34 +5,51 @@
 #include "films/film_writer.h"
 #include "options/render_options.h"
 
+#include <future>
 #include <optional>
 
 namespace firsthit::cli {
 
 /// Writes frames as they come. Each file appears whole or not at all; so does a film, which is there
-/// after finish(). While a film is made, signals that end the program wait until its parts are gone.
+/// after finish(). Signals that end the program wait until a frame's files are whole, or until the parts of a
+/// film are gone.
+///
+/// Of several frames, each is written by a thread of its own while the next one is made: in order, and never more
+/// than one at a time.
 class FrameOutputs {
   public:
     /// Both have to outlive it.
     FrameOutputs(const RenderOptions& options, const Frames& frames);
+    /// Waits for the frame that is being written.
+    ~FrameOutputs();
+    FrameOutputs(const FrameOutputs&) = delete;
+    FrameOutputs& operator=(const FrameOutputs&) = delete;
 
     /// Whether all files of a frame are there already.
     /// frame  from 0
     bool are_there(std::size_t frame) const;
 
-    /// throws  FileError, DeviceError
-    void write(const Film& film, std::size_t frame);
+    /// Writes a frame, or begins to. Waits for the frame before.
+    ///
+    /// film    of the frame; of several frames it gets the memory of an earlier one in exchange
+    /// throws  FileError, DeviceError: also of the frame before
+    void write(Film& film, std::size_t frame);
 
+    /// All files are there.
     /// throws  FileError, DeviceError
     void finish();
 
   private:
+    void write_now(const Film& film, std::size_t frame);
+    void wait();
     void add_to_film(const Film& film);
 
     const RenderOptions& options_;
     const Frames& frames_;
-    std::optional<HoldInterrupts> hold_; // of a film; outlives it
+    std::optional<HoldInterrupts> hold_; // of a film, or of what is being written; outlives both
     std::optional<FilmWriter> film_;
+    Film writing_;              // what the thread writes
+    std::future<void> written_; // of that
 };
 
 } // namespace firsthit::cli

@@ -3,15 +3,47 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace firsthit {
 namespace {
 
 constexpr double kFov_rad = 0.78539816339744831; // 45 degrees
 constexpr double kMargin = 1.05;                 // the sphere leaves a rim of the picture free
+
+/// Where an eye has to be along `across` so that all vertices lie in the middle of its picture in that direction: the
+/// outermost ones on both sides at the same angle. The eye has to be in front of all of them.
+///
+/// middle  of the world, which places along `across` and `back` are relative to
+/// start   places of the eye: a first guess along `across`, and the one along `back`
+double centred(const World& world, const glm::dvec3& middle, const glm::dvec3& across,
+    const glm::dvec3& back, const glm::dvec2& start)
+{
+    constexpr int kMostSteps = 16; // two or three do
+    double eye = start.x;
+    const double far = start.y;
+    for (int step = 0; step < kMostSteps; ++step) {
+        // The outermost vertices as the eye sees them now; then the place from which these two are symmetric.
+        double high = -std::numeric_limits<double>::infinity(), low = high;
+        double at[2] = {}, depth[2] = {};
+        for (const glm::vec3& position : world.position) {
+            const glm::dvec3 p = glm::dvec3(position) - middle;
+            const double x = glm::dot(p, across), z = far - glm::dot(p, back);
+            if (const double slope = (x - eye) / z; slope > high)
+                high = slope, at[0] = x, depth[0] = z;
+            if (const double slope = (eye - x) / z; slope > low)
+                low = slope, at[1] = x, depth[1] = z;
+        }
+        const double next = (at[0] * depth[1] + at[1] * depth[0]) / (depth[0] + depth[1]);
+        if (!(std::abs(next - eye) > 1e-9 * far)) return eye;
+        eye = next;
+    }
+    return eye;
+}
 
 } // namespace
 
@@ -106,8 +138,10 @@ Camera framing_camera(const World& world, const Framing& framing)
     } else {
         // The eye stays off what has no width or height, and off a tip that points at it.
         const double distance = std::max({by_width, by_height, nearest + 0.1 * radius});
-        camera.eye = middle + right * ((right_most - left_most) / 2) +
-                     up * ((top_most - bottom_most) / 2) + back * distance;
+        double x = (right_most - left_most) / 2, y = (top_most - bottom_most) / 2;
+        if (distance > by_width) x = centred(world, middle, right, back, {x, distance});
+        if (distance > by_height) y = centred(world, middle, up, back, {y, distance});
+        camera.eye = middle + right * x + up * y + back * distance;
     }
     camera.direction = -back;
     camera.up = framing.up;

@@ -72,6 +72,8 @@ TEST(NamedView, FillsThePictureToItsMarginWhateverTheAspect)
                     const Extent e = extent_of(world, camera, aspect);
                     const double farthest = std::max({-e.left, e.right, -e.bottom, e.top});
                     EXPECT_LT(farthest, 0.95 + 1e-6);
+                    EXPECT_NEAR(e.right, -e.left, 1e-6); // in the middle, also between free sides
+                    EXPECT_NEAR(e.top, -e.bottom, 1e-6);
                     if (is_near(world, camera)) continue; // a tip points at the eye
                     ++filled;
                     EXPECT_NEAR(farthest, 0.95, 1e-6);
