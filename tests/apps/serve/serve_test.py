@@ -125,7 +125,7 @@ def hands():
         same_picture(page, 'builtin:robots', *SMALL, *(page.copied or '').split())
         # What is under the pointer, and a click on it.
         page.say(do='move', x=60, y=50)
-        check(page.until(lambda p: p.status.get('pick')), 'what is under the pointer')
+        check(page.until(lambda p: p.status.get('pick', {}).get('y') == 50), 'what is under the pointer')
         check(any('triangle' in line for line in page.status['pick']['lines']), f'lines: {page.status["pick"]}')
         for down in (True, False):
             page.say(do='button', button='left', down=down, shift=False)

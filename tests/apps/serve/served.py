@@ -91,6 +91,8 @@ class Page:
             if self.acknowledges:
                 self.see()
             return 'picture'
+        if kind == web_socket.PING:
+            return 'ping'
         message = json.loads(payload)
         if message['kind'] in ('copied', 'refused'):
             setattr(self, message['kind'], message['text'])

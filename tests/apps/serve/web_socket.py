@@ -106,7 +106,7 @@ class WebSocket:
         return taken
 
     def receive(self):
-        """(opcode, payload) of the next message. Raises Closed, socket.timeout."""
+        """(opcode, payload) of the next message, or of a ping, which was answered. Raises Closed, socket.timeout."""
         whole, kind = b'', None
         while True:
             first, second = self.take(2)
@@ -118,7 +118,7 @@ class WebSocket:
             payload, opcode = self.take(size), first & 15
             if opcode == PING:
                 self.sock.sendall(frame(PONG, payload))
-                continue
+                return PING, payload
             if opcode == CLOSE:
                 code = struct.unpack('>H', payload[:2])[0] if len(payload) > 1 else None
                 raise Closed(code, payload[2:].decode(errors='replace'))

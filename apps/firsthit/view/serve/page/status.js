@@ -15,7 +15,7 @@ export function makeStatus(corner, message, pixel) {
         /// Of the program.
         show(status, pointer) {
             const others = status.viewers - 1;
-            corner.textContent = status.corner + (others > 0 ? ` | ${others + 1} look` : '');
+            corner.textContent = status.corner + (others > 0 ? ` | ${others + 1} viewers` : '');
             corner.dataset.rest = status.rest;
             corner.dataset.state = status.state ?? 0;
             told = status.message;
