@@ -70,17 +70,18 @@ void PictureEncoder::run(const std::stop_token& end)
         encoded->number = wanted.number;
         encoded->lossless = wanted.lossless || !has_jpeg();
         encoded->frame = wanted.frame;
-        add_word(encoded->bytes, wanted.number);
-        add_word(encoded->bytes, encoded->lossless ? 1 : 0);
-        add_word(encoded->bytes, static_cast<std::uint32_t>(frame.request.number));
+        auto bytes = std::make_shared<std::string>();
+        add_word(*bytes, wanted.number);
+        add_word(*bytes, encoded->lossless ? 1 : 0);
+        add_word(*bytes, static_cast<std::uint32_t>(frame.request.number));
         try {
-            encoded->bytes +=
-                encoded->lossless
-                    ? encode_png(frame.rgba, frame.width, frame.height, true)
-                    : encode_jpeg(frame.rgba, frame.width, frame.height, kMovingQuality);
+            *bytes += encoded->lossless
+                          ? encode_png(frame.rgba, frame.width, frame.height, true)
+                          : encode_jpeg(frame.rgba, frame.width, frame.height, kMovingQuality);
         } catch (const std::exception&) {
             continue; // out of memory: the next picture may have it
         }
+        encoded->bytes = std::move(bytes);
         encoded->ms = watch.ms();
         {
             const std::lock_guard lock(mutex_);

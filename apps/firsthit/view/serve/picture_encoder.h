@@ -19,9 +19,9 @@ namespace firsthit::cli::view {
 struct EncodedPicture {
     std::uint32_t number = 0;
     bool lossless = false;
-    std::string bytes{};
-    std::shared_ptr<const ShownFrame> frame{}; // that it shows
-    double ms = 0;                             // that encoding took
+    std::shared_ptr<const std::string> bytes{}; // which a slow page may keep longer than the frame
+    std::shared_ptr<const ShownFrame> frame{};  // that it shows
+    double ms = 0;                              // that encoding took
 };
 
 /// Encodes the latest picture that is wanted; those before it that were not begun are left out.

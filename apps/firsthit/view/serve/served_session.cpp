@@ -181,7 +181,7 @@ std::optional<Outgoing> ServedSession::next(Viewer& viewer, Clock::time_point no
     const std::shared_ptr<const EncodedPicture> picture = encoder_.latest();
     if (picture && awaits_picture(viewer) && picture->number > viewer.sent_) {
         viewer.sent_ = picture->number;
-        return Outgoing{true, {picture, &picture->bytes}};
+        return Outgoing{true, picture->bytes};
     }
     const bool rests = session_.is_at_rest(now);
     if (rests || now - viewer.status_time_ >= kStatusPause) {
