@@ -44,6 +44,13 @@ std::string shown_host(const std::string& host)
     return host;
 }
 
+/// As of programs that nohup starts.
+bool is_ignored(int signal)
+{
+    struct sigaction now {};
+    return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 class PageServer {
   public:
     explicit PageServer(const ViewOptions& options);
@@ -70,7 +77,7 @@ class PageServer {
     std::atomic<bool> looks_soon_ = false; // a look is on its way
     ServedSession session_;                // calls look_soon() on other threads
     tcp::acceptor acceptor_{loop_};
-    asio::signal_set signals_{loop_, SIGINT, SIGTERM, SIGHUP};
+    asio::signal_set signals_{loop_};
     asio::steady_timer timer_{loop_}, last_timer_{loop_}, accept_timer_{loop_};
     std::string host_;
     PageSocket::Server pages_;
@@ -95,6 +102,8 @@ PageServer::PageServer(const ViewOptions& options)
 {
     listen(*options.serve);
     accept();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (!is_ignored(signal)) signals_.add(signal);
     signals_.async_wait([this](beast::error_code error, int) {
         if (!error) end();
     });
