@@ -184,6 +184,8 @@ def resizing(chromium):
         served.end()
         check(tab.until('document.getElementById("corner").textContent.includes("the program has ended")'),
               'the page says that the program has ended')
+        tab.evaluate('new Promise(done => setTimeout(done, 1500))')
+        check('has ended' in tab.evaluate('document.getElementById("corner").textContent'), 'it goes on saying so')
 
 
 def run(chromium):

@@ -3,29 +3,33 @@
 const RETRY_MS = 1000;
 const ENDED = 1001, REFUSED = 1008;
 
-/// hears  {opens(), text(message), picture(buffer), closes(why)}
+/// hears  {opens(), text(message), picture(buffer, answer), closes(why)}; an answer goes to the line that the picture came by
 export function openLine(hears) {
     const address = new URL('socket', location.href);
     address.protocol = address.protocol.replace('http', 'ws');
-    let socket = null;
+    let send = null;
 
     function connect() {
-        socket = new WebSocket(address);
+        const socket = new WebSocket(address);
+        let opened = false;
+        send = message => {
+            if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
+        };
+        const answer = send;
         socket.binaryType = 'arraybuffer';
-        socket.onopen = () => hears.opens();
+        socket.onopen = () => {
+            opened = true;
+            hears.opens();
+        };
         socket.onmessage = ({data}) =>
-            typeof data === 'string' ? hears.text(JSON.parse(data)) : hears.picture(data);
+            typeof data === 'string' ? hears.text(JSON.parse(data)) : hears.picture(data, answer);
         socket.onclose = ({code, reason}) => {
-            hears.closes(code === ENDED ? 'the program has ended'
-                : code === REFUSED ? reason : 'the line is down');
+            if (opened) // else what was said before is still so
+                hears.closes(code === ENDED ? 'the program has ended' : code === REFUSED ? reason : 'the line is down');
             setTimeout(connect, RETRY_MS);
         };
     }
 
     connect();
-    return {
-        send(message) {
-            if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
-        },
-    };
+    return {send: message => send(message)};
 }

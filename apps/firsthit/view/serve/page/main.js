@@ -12,7 +12,7 @@ const RESIZE_MS = 150;
 
 const at = id => document.getElementById(id);
 const send = message => line.send(message);
-const picture = makePicture(at('picture'), send);
+const picture = makePicture(at('picture'));
 const switches = makeSwitches(at('groups'), send);
 const status = makeStatus(at('corner'), at('message'), at('pixel'));
 const bars = makeBars({head: at('times-head'), canvas: at('bars'), legend: at('legend'), counts: at('counts')});
@@ -80,7 +80,7 @@ const heard = {
 const line = openLine({
     opens: askForSize,
     text: message => heard[message.kind]?.(message),
-    picture: buffer => picture.show(buffer),
+    picture: (buffer, answer) => picture.show(buffer, answer),
     closes: why => status.lose(why),
 });
 

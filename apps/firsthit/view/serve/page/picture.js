@@ -2,7 +2,7 @@
 
 const HEAD_BYTES = 12; // in front of each: its number, whether it is without loss, and the number of the state
 
-export function makePicture(canvas, send) {
+export function makePicture(canvas) {
     const context = canvas.getContext('2d', {alpha: false});
     const size = {width: 0, height: 0}; // of the session's picture; one that moves may have fewer pixels
     let latest = null;                  // a Blob without loss, or null
@@ -16,9 +16,17 @@ export function makePicture(canvas, send) {
         canvas.style.height = `${size.height * near}px`;
     }
 
-    async function show(buffer) {
+    async function show(buffer, answer) {
         const head = new DataView(buffer, 0, HEAD_BYTES);
-        const number = head.getUint32(0, true), lossless = head.getUint32(4, true) === 1;
+        try {
+            await draw(buffer, head);
+        } finally {
+            answer({do: 'seen', number: head.getUint32(0, true)}); // the next one may come
+        }
+    }
+
+    async function draw(buffer, head) {
+        const lossless = head.getUint32(4, true) === 1;
         const blob = new Blob([new Uint8Array(buffer, HEAD_BYTES)], {type: lossless ? 'image/png' : 'image/jpeg'});
         const bitmap = await createImageBitmap(blob, {colorSpaceConversion: 'none'});
         if (canvas.width !== bitmap.width || canvas.height !== bitmap.height) {
@@ -30,7 +38,6 @@ export function makePicture(canvas, send) {
         latest = lossless ? blob : null;
         canvas.dataset.lossless = lossless;
         canvas.dataset.state = head.getUint32(8, true);
-        send({do: 'seen', number});
     }
 
     addEventListener('resize', fit);
