@@ -6,7 +6,7 @@ set -euo pipefail
 build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
     libopenexr-dev libcli11-dev libfmt-dev libgtest-dev libbenchmark-dev libstb-dev
     nlohmann-json3-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libjpeg-dev
-    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev python3 python3-dev pybind11-dev
+    libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev libboost-dev python3 python3-dev pybind11-dev
     python3-numpy python3-pytest"
 test="xvfb ffmpeg"
 wheel="python3-pip python3-venv python3-wheel python3-skbuild python3-pybind11 patchelf"

@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,14 @@ void write_picture(const Film& film, const std::string& path, const PictureOptio
 /// Checks, before a long computation, whether write_picture accepts a path and options. Creates nothing.
 /// throws  as write_picture
 void check_picture_path(const std::string& path, const PictureOptions& options = {});
+
+/// Encodes pixels as a .jpg in memory, for those who send pictures instead of writing them.
+/// rgba     (height, width, 4) sRGB, top row first; alpha is not looked at
+/// quality  1 to 100
+/// returns  the bytes of the file
+/// throws   ArgumentError: another number of values, a side that is not from 1 to 65500 pixels, a quality out of range,
+///          a library that was built without libjpeg
+std::string encode_jpeg(std::span<const std::uint8_t> rgba, int width, int height, int quality);
 
 /// As write_aov, in a format by an ending such as ".npy", also to standard output where the path is "-".
 /// An empty format is the path's ending.

@@ -32,6 +32,7 @@ expect_error 2 "--no-window plays a script" view builtin:torus --no-window
 expect_error 2 "--screenshot is of the end of a script" view builtin:torus --screenshot a.png
 expect_error 2 "'0' is no number of frames a second from 1 to 1000" view builtin:torus --rate 0
 DISPLAY= WAYLAND_DISPLAY= expect_error 1 "firsthit render makes pictures without" view builtin:torus
+DISPLAY= WAYLAND_DISPLAY= expect_error 1 "view --serve shows the scene in a page" view builtin:torus
 
 # same_picture OPTIONS...: the picture at rest is that of render, byte for byte.
 same_picture()

@@ -116,29 +116,7 @@ screenshot window.png
 picture picture.png" || fail "the picture: $(cat said.txt)"
 "$program" render builtin:robots --size 640x480 -o render.png -q
 cmp -s picture.png render.png || fail "the picture of the window is not that of render"
-python3 - <<'PY' || fail "the pixels of the window are not those of render"
-import struct, sys, zlib
-def pixels(path):
-    data = open(path, 'rb').read()
-    at, idat = 8, b''
-    while at < len(data):
-        size, kind = struct.unpack('>I4s', data[at:at + 8])
-        if kind == b'IHDR': w, h, depth, color = struct.unpack('>IIBB', data[at + 8:at + 18])
-        if kind == b'IDAT': idat += data[at + 8:at + 8 + size]
-        at += 12 + size
-    assert (depth, color) == (8, 2), (depth, color)
-    raw, rows, before = zlib.decompress(idat), [], bytearray(3 * w)
-    for y in range(h):
-        filt, row = raw[y * (3 * w + 1)], bytearray(raw[y * (3 * w + 1) + 1:(y + 1) * (3 * w + 1)])
-        for x in range(3 * w):
-            a, b, c = row[x - 3] if x > 2 else 0, before[x], before[x - 3] if x > 2 else 0
-            p = a + b - c
-            near = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            row[x] = (row[x] + [0, a, b, (a + b) // 2, near][filt]) & 255
-        rows.append(bytes(row)); before = row
-    return rows
-sys.exit(pixels('window.png') != pixels('render.png'))
-PY
+python3 "$scripts/serve/png_pixels.py" window.png render.png || fail "the pixels of the window are not those of render"
 
 # Size, files.
 checks=$((checks + 1))

@@ -187,6 +187,31 @@ TEST(Jpeg, IsNearTheColours)
     EXPECT_LT(bytes_of(folder / "small.jpg").size(), bytes_of(folder / "a.jpg").size());
 }
 
+TEST(Jpeg, InMemoryIsTheFile)
+{
+    const std::vector<std::string> endings = picture_endings();
+    if (std::find(endings.begin(), endings.end(), ".jpg") == endings.end())
+        GTEST_SKIP() << "this build has no libjpeg";
+    const TemporaryFolder folder;
+    Film film = flat_film(40, 30, 0);
+    for (std::size_t k = 0; k < film.color.value.size(); ++k)
+        film.color.value[k] = float(k % 97) / 97;
+    std::vector<std::uint8_t> rgba;
+    for (std::size_t k = 0; k < film.color.value.size(); ++k) {
+        rgba.push_back(static_cast<std::uint8_t>(nearest_code(double(film.color.value[k]))));
+        if (k % 3 == 2) rgba.push_back(7); // an alpha that nobody looks at
+    }
+    for (const int quality : {50, 95}) {
+        write_picture(film, folder / "a.jpg", {.dither = false, .quality = quality});
+        EXPECT_EQ(encode_jpeg(rgba, 40, 30, quality), bytes_of(folder / "a.jpg")) << quality;
+    }
+    EXPECT_THROW(encode_jpeg(rgba, 40, 29, 90), ArgumentError);
+    EXPECT_THROW(encode_jpeg(rgba, 40, 30, 0), ArgumentError);
+    EXPECT_THROW(encode_jpeg(rgba, 40, 30, 101), ArgumentError);
+    EXPECT_THROW(encode_jpeg({}, 0, 0, 90), ArgumentError);
+    EXPECT_THROW(encode_jpeg({}, 65501, 0, 90), ArgumentError);
+}
+
 TEST(Webp, WithoutLossIsThePng)
 {
     const std::vector<std::string> endings = picture_endings();

@@ -47,6 +47,7 @@ constexpr BasicOption kView[] = {
     {"--time", "seconds of the animation; default its begin"},
     {"--view", "iso, front, back, left, right, top or bottom"},
     {"--up-axis", "what is up in the file: x, y, z, -x, -y or -z"},
+    {"--serve", "show it in a page for a browser, without a display"},
     {"--script", "play the actions of a file, as a test does"},
     {"--screenshot", "a picture of the window at the script's end"},
     {"--no-window", "play the script without a window or display"},
@@ -141,6 +142,7 @@ constexpr auto kHelps = std::to_array<BasicHelp>({
         "  firsthit view bunny.stl\n"
         "  firsthit view walk.glb --size 1920x1080\n"
         "  firsthit view builtin:robots --engine hybrid --shadows map\n"
+        "  firsthit view bunny.stl --serve 8080\n"
         "  firsthit view builtin:robots --script actions.txt --screenshot window.png\n",
         kView},
     {"info", "info SCENE [--json]",

@@ -1,9 +1,10 @@
-// view_command.cpp - `firsthit view`: a window to look at a scene, and at how its picture is made.
+// view_command.cpp - `firsthit view`: a window, or a page, to look at a scene, and at how its picture is made.
 #include "view/view_command.h"
 
 #include "common/output.h"
 #include "common/usage.h"
 #include "view/script/script_player.h"
+#include "view/serve/page_server.h"
 #include "view/session/view_session.h"
 #include "view/window/window.h"
 
@@ -65,6 +66,7 @@ int run_view(const ViewOptions& given)
 {
     ViewOptions options = given;
     check(options);
+    if (options.serve) return view::serve_page(options);
     std::unique_ptr<view::ScriptPlayer> script;
     if (!options.script.empty())
         script = std::make_unique<view::ScriptPlayer>(

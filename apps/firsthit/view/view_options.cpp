@@ -18,9 +18,13 @@ constexpr const char* kViewExamples = R"(Examples:
   firsthit view walk.glb --size 1920x1080 --rate 30
   firsthit view builtin:robots --script actions.txt --screenshot window.png
   firsthit view builtin:robots --script actions.txt --no-window
+  firsthit view walk.glb --serve
+  firsthit view walk.glb --serve 127.0.0.1:8080
 
 The window has a page of all keys: press ?. docs/view.md describes it, and the actions of scripts.
 At rest the picture is the one that `firsthit render` makes with the same options, bit for bit.
+--serve shows the same in a page for a browser, without a display or a GPU: it prints the page's
+address, which holds a secret. Ctrl-C ends it.
 
 Exit codes: 0 done, 1 failed (no display, a scene that cannot be read, an assertion of a script),
 2 wrong usage.)";
@@ -57,6 +61,9 @@ void add_view_options(CLI::App& app, ViewOptions& options)
     app.add_option("--screenshot", options.screenshot,
            "Write what the window shows at the end of the script, .png")
         ->type_name("FILE");
+    add_parsed(app, "--serve", options.serve, view::parse_listen_address, "[ADDRESS:PORT]",
+        "Show it in a page for a browser, without a display; default 127.0.0.1, a free port")
+        ->expected(0, 1);
     app.add_flag("--no-window", options.no_window, "Play the script without a window or display");
     app.add_flag("--measure", options.measure,
         "At the end print frames a second and the time from input to the screen");
@@ -84,8 +91,11 @@ void check(ViewOptions& options)
     // The picture at rest is what `render -o -` makes: colours, with smooth edges.
     options.picture.output = "-";
     if (options.picture.picture.format.empty()) options.picture.picture.format = ".png";
-    if (!options.picture.camera.size) options.picture.camera.size = Size{1280, 720};
+    options.size_given = options.picture.camera.size.has_value();
+    if (!options.size_given) options.picture.camera.size = Size{1280, 720};
     check(options.picture);
+    if (options.serve && (options.no_window || !options.script.empty()))
+        throw UsageError("--serve shows a page: --script and --no-window go without it");
     if (options.no_window && options.script.empty())
         throw UsageError("--no-window plays a script: say --script FILE too");
     if (!options.screenshot.empty() && options.script.empty())

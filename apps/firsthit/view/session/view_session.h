@@ -44,6 +44,9 @@ class ViewSession {
     bool key(const std::string& name, bool down);
     /// All keys and buttons are let go, as when the window loses the keyboard.
     void release_all();
+    /// A button is let go without a click, as when who held it is gone.
+    void release_button() { held_.reset(); }
+    bool holds_button() const { return held_.has_value(); }
     /// throws  UsageError: no such switch or value
     void choose_switch(const std::string& name, const std::string& value);
     /// Shows another file with the same options, where it can be read.

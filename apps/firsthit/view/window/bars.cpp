@@ -2,6 +2,7 @@
 #include "view/window/panels.h"
 
 #include "view/session/process_memory.h"
+#include "view/session/stages.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,28 +15,14 @@
 namespace firsthit::cli::view {
 namespace {
 
-struct Stage {
-    const char* name;
-    double Stats::*ms;
-    ImU32 color;
-};
-
-constexpr std::array<Stage, 10> kStages = {{
-    {"pose", &Stats::pose_ms, IM_COL32(120, 144, 156, 255)},
-    {"set-up", &Stats::setup_ms, IM_COL32(94, 129, 244, 255)},
-    {"raster", &Stats::raster_ms, IM_COL32(66, 184, 221, 255)},
-    {"draw", &Stats::draw_ms, IM_COL32(120, 94, 240, 255)},
-    {"wait", &Stats::wait_ms, IM_COL32(150, 110, 90, 255)},
-    {"resolve", &Stats::resolve_ms, IM_COL32(84, 190, 120, 255)},
-    {"shadow", &Stats::shadow_ms, IM_COL32(235, 170, 60, 255)},
-    {"sky", &Stats::sky_ms, IM_COL32(150, 200, 250, 255)},
-    {"shade", &Stats::shade_ms, IM_COL32(226, 92, 92, 255)},
-    {"mark", &Stats::mark_ms, IM_COL32(200, 120, 200, 255)},
-}};
-constexpr ImU32 kOther = IM_COL32(110, 110, 110, 255);
 constexpr std::size_t kBars = 100;
 const ImVec2 kBarsSize{345, 110};
 constexpr float kColumn = 118; // of the legend
+
+ImU32 shade_of(const std::array<std::uint8_t, 3>& color)
+{
+    return IM_COL32(color[0], color[1], color[2], 255);
+}
 
 /// What the bars' full height stands for: all of them, but for few that are much longer.
 double full_height_ms(const std::deque<HistoryEntry>& frames, std::size_t count)
@@ -51,23 +38,18 @@ void draw_bar(
     ImDrawList& list, const HistoryEntry& frame, ImVec2 foot, float width, double px_per_ms)
 {
     float y = foot.y;
-    double told = 0;
-    const auto add = [&](double ms, ImU32 color) {
+    const auto add = [&](double ms, const std::array<std::uint8_t, 3>& color) {
         const float next = std::max(foot.y - kBarsSize.y, y - float(ms * px_per_ms));
-        if (y - next > 0.3f) list.AddRectFilled({foot.x, next}, {foot.x + width, y}, color);
+        if (y - next > 0.3f)
+            list.AddRectFilled({foot.x, next}, {foot.x + width, y}, shade_of(color));
         y = next;
     };
-    for (const Stage& stage : kStages) {
-        const double ms = frame.stats.*stage.ms;
-        told += ms;
-        add(ms, stage.color);
-    }
-    add(std::max(0.0, frame.made_ms - told), kOther);
+    for (const Stage& stage : all_stages()) add(frame.stats.*stage.ms, stage.color);
+    add(other_ms(frame.stats, frame.made_ms), kOtherStage);
 }
 
 void draw_legend(const Stats& stats, double made_ms)
 {
-    double told = 0;
     int column = 0;
     const auto entry = [&](const char* name, double ms, ImU32 color) {
         if (column++ % 3 != 0) ImGui::SameLine(float((column - 1) % 3) * kColumn);
@@ -75,11 +57,9 @@ void draw_legend(const Stats& stats, double made_ms)
         ImGui::TextUnformatted(fmt::format("{:<7}{:6.1f}", name, ms).c_str());
         ImGui::PopStyleColor();
     };
-    for (const Stage& stage : kStages) {
-        told += stats.*stage.ms;
-        if (stats.*stage.ms > 0) entry(stage.name, stats.*stage.ms, stage.color);
-    }
-    entry("other", std::max(0.0, made_ms - told), IM_COL32(160, 160, 160, 255));
+    for (const Stage& stage : all_stages())
+        if (stats.*stage.ms > 0) entry(stage.name, stats.*stage.ms, shade_of(stage.color));
+    entry("other", other_ms(stats, made_ms), IM_COL32(160, 160, 160, 255));
 }
 
 } // namespace

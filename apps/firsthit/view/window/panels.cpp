@@ -2,6 +2,7 @@
 #include "view/window/panels.h"
 
 #include "common/parse.h"
+#include "view/session/switch_choices.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -28,9 +29,10 @@ void choose_in(ViewSession& session, const std::string& name, const std::string&
     }
 }
 
-bool combo(ViewSession& session, const Switch& one, const std::vector<std::string>& shown,
-    const std::vector<std::string>& values, const std::string& value)
+bool combo(
+    ViewSession& session, const Switch& one, const Choices& choices, const std::string& value)
 {
+    const auto& [values, shown] = choices;
     const auto at = std::find(values.begin(), values.end(), value);
     const std::string preview =
         at == values.end() ? value : shown[std::size_t(at - values.begin())];
@@ -45,63 +47,46 @@ bool combo(ViewSession& session, const Switch& one, const std::vector<std::strin
 void number_of(ViewSession& session, const Switch& one, const std::string& value)
 {
     double number = parse_number(value);
-    double least = one.least, most = one.most;
+    SwitchRange range = range_of(one, session.scene(), session.state());
     if (one.name == "time") {
-        least = session.scene().begin_s(session.state().clip);
-        most = session.scene().end_s(session.state().clip);
         number = session.state().time_s;
-        if (!(most > least)) return;
+        if (!(range.most > range.least)) return;
     }
-    const bool slides = most - least <= 300 && (one.whole || one.name == "time");
+    const bool slides = can_slide(one, range);
     bool changed = false;
     if (slides && one.whole) {
         int whole = int(number);
-        changed = ImGui::SliderInt(
-            one.name.c_str(), &whole, int(least), int(most), "%d", ImGuiSliderFlags_AlwaysClamp);
+        changed = ImGui::SliderInt(one.name.c_str(), &whole, int(range.least), int(range.most),
+            "%d", ImGuiSliderFlags_AlwaysClamp);
         number = whole;
     } else if (slides) {
-        changed = ImGui::SliderScalar(one.name.c_str(), ImGuiDataType_Double, &number, &least,
-            &most, "%.3f s", ImGuiSliderFlags_AlwaysClamp);
+        changed = ImGui::SliderScalar(one.name.c_str(), ImGuiDataType_Double, &number, &range.least,
+            &range.most, "%.3f s", ImGuiSliderFlags_AlwaysClamp);
     } else {
-        const double step = one.whole ? 1 : one.name == "rate" ? 5 : 0.25;
-        changed =
-            ImGui::InputDouble(one.name.c_str(), &number, step, 0, one.whole ? "%.0f" : "%.4g");
+        changed = ImGui::InputDouble(
+            one.name.c_str(), &number, step_of(one), 0, one.whole ? "%.0f" : "%.4g");
     }
-    if (changed) choose_in(session, one.name, fmt::format("{}", std::clamp(number, least, most)));
+    if (changed)
+        choose_in(
+            session, one.name, fmt::format("{}", std::clamp(number, range.least, range.most)));
 }
 
 void switch_row(ViewSession& session, const Switch& one)
 {
-    const Scene& scene = session.scene().first();
     const std::string value = one.get(session.state());
+    const Choices choices = choices_of(one, session.scene().first());
     if (one.words.size() == 2 && one.words[0] == "off") {
         bool on = value == "on";
         if (ImGui::Checkbox(one.name.c_str(), &on)) choose_in(session, one.name, on ? "on" : "off");
-    } else if (!one.words.empty()) {
-        combo(session, one, one.words, one.words, value);
-    } else if (one.name == "clip") {
-        std::vector<std::string> shown{"at rest"}, values{"-1"};
-        for (std::size_t k = 0; k < scene.clips.size(); ++k) {
-            const std::string& name = scene.clips[k].name;
-            shown.push_back(name.empty() ? fmt::format("clip {}", k) : name);
-            values.push_back(fmt::format("{}", k));
-        }
-        combo(session, one, shown, values, value);
-    } else if (one.name == "camera") {
-        std::vector<std::string> shown, values;
-        for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-            const std::string& name = scene.cameras[k].name;
-            shown.push_back(name.empty() ? fmt::format("camera {}", k) : name);
-            values.push_back(fmt::format("{}", k));
-        }
-        if (!shown.empty()) combo(session, one, shown, values, value);
+    } else if (!choices.values.empty()) {
+        combo(session, one, choices, value);
     } else if (one.name == "selected") {
         ImGui::Text(
             "%s", session.state().selected < 0
                       ? "click selects an instance"
                       : fmt::format("selected: instance {}", session.state().selected).c_str());
         return;
-    } else {
+    } else if (one.name != "camera") { // of a file without any
         number_of(session, one, value);
     }
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", one.text.c_str());

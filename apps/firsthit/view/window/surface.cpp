@@ -49,7 +49,7 @@ Glfw::Glfw()
     if (glfwInit()) return;
     throw DeviceError(fmt::format(
         "no window can be shown ({}): there is no display; firsthit render makes pictures without "
-        "one",
+        "one, and firsthit view --serve shows the scene in a page for a browser",
         glfw_error()));
 }
 
