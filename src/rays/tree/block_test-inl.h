@@ -1,0 +1,161 @@
+// block_test-inl.h - which triangles of a leaf a ray may hit: a filter in float of exact/ray_hit.h.
+//
+// With p = v0 - o, e1 = v1 - v0, e2 = v2 - v0 and r = d x p, the edge functions are
+//
+//     edge(v0, v1) = e1 . r      edge(v2, v0) = -e2 . r      edge(v1, v2) = det - the other two
+//     det = d . (e1 x e2)        volume = p . (e1 x e2)
+//
+// Each is a sum of three terms with at most eight roundings of 2^-24, of a size that the largest coordinates P, E1
+// and E2 of p, e1 and e2 bound; d is below 2. An edge's error is below 7 * 12 * 2^-24 P E1 and so on, the third one's
+// below that of all three and two roundings: 108 * 2^-24 of them; the volume's is below 8 * 6 * 2^-24 P E1 E2. What
+// denormal numbers lose, also where they are flushed to zero, is below 2^-119 (1 + M)^2 with M = max(P, E1, E2).
+// Where M is so large that products might overflow, nothing is certain.
+#if defined(FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_
+#undef FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_
+#else
+#define FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_
+#endif
+
+#include "rays/tree/slab_test-inl.h"
+
+#include <firsthit/scene.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace firsthit {
+namespace HWY_NAMESPACE {
+
+struct TreeVector {
+    TreeFloats x, y, z;
+};
+HWY_INLINE TreeVector operator-(const TreeVector& a, const TreeVector& b)
+{
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE TreeFloats dot(const TreeVector& a, const TreeVector& b)
+{
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE TreeVector cross(const TreeVector& a, const TreeVector& b)
+{
+    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+        hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+        hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+HWY_INLINE TreeFloats largest(const TreeVector& a)
+{
+    return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+}
+HWY_INLINE TreeVector broadcast(const glm::vec3& v)
+{
+    const TreeTag d;
+    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+
+/// What the filter found of a block. Sizes are absolute values; t is size_of_volume / size_of_det.
+struct BlockHits {
+    alignas(32) float det[kPerLeaf], det_error[kPerLeaf], volume[kPerLeaf], volume_error[kPerLeaf];
+    unsigned possible; // bit k: triangle k is not certainly missed
+    unsigned certain;  // bit k: it is certainly hit, and its numbers are good for an interval of t
+
+    /// The interval of the scaled t of a triangle that is certainly hit.
+    float low(int k) const
+    {
+        return std::max(0.0f,
+            (volume[k] - volume_error[k]) / (det[k] + det_error[k]) * (1 - 0x1p-20f) - 0x1p-120f);
+    }
+    float high(int k) const
+    {
+        return (volume[k] + volume_error[k]) / (det[k] - det_error[k]) * (1 + 0x1p-20f) + 0x1p-120f;
+    }
+};
+
+class BlockTest {
+  public:
+    HWY_INLINE explicit BlockTest(const PreparedRay& ray)
+        : origin_(broadcast(ray.origin)),
+          direction_(broadcast(ray.direction))
+    {
+    }
+
+    /// limit  triangles that are certainly hit at a greater scaled t are missed
+    HWY_INLINE void test(const TriangleBlock& block, float limit, BlockHits& hits) const
+    {
+        hits.possible = hits.certain = 0;
+        for (int k = 0; k < kPerLeaf; k += kTreeLanes) test_lanes(block, k, limit, hits);
+    }
+
+  private:
+    HWY_INLINE void test_lanes(
+        const TriangleBlock& block, int k, float limit, BlockHits& hits) const
+    {
+        const TreeTag d;
+        const auto corner = [&](int number) -> TreeVector {
+            const auto axis = [&](int a) { return hn::Load(d, block.corner[3 * number + a] + k); };
+            return {axis(0), axis(1), axis(2)};
+        };
+        const TreeVector v0 = corner(0), e1 = corner(1) - v0, e2 = corner(2) - v0, p = v0 - origin_;
+        const TreeVector n = cross(e1, e2), r = cross(direction_, p);
+        const TreeFloats det = dot(direction_, n), volume = dot(p, n), edge01 = dot(e1, r),
+                         edge20 = hn::Neg(dot(e2, r)),
+                         edge12 = hn::Sub(hn::Sub(det, edge01), edge20);
+
+        const TreeFloats size_p = largest(p), size1 = largest(e1), size2 = largest(e2);
+        const TreeFloats most = hn::Max(size_p, hn::Max(size1, size2)),
+                         more = hn::Add(most, hn::Set(d, 1)),
+                         floor = hn::Mul(hn::Set(d, 0x1p-119f), hn::Mul(more, more)),
+                         relative = hn::Set(d, 0x1p-17f);
+        const TreeFloats size12 = hn::Mul(size1, size2);
+        const TreeFloats error01 = hn::MulAdd(relative, hn::Mul(size_p, size1), floor),
+                         error20 = hn::MulAdd(relative, hn::Mul(size_p, size2), floor),
+                         det_error = hn::MulAdd(relative, size12, floor),
+                         error12 = hn::Add(hn::Add(error01, error20), det_error),
+                         volume_error =
+                             hn::MulAdd(hn::Set(d, 0x1p-18f), hn::Mul(size_p, size12), floor);
+
+        const auto above = [](TreeFloats edge, TreeFloats error) { return hn::Gt(edge, error); };
+        const auto below = [](TreeFloats edge, TreeFloats error) {
+            return hn::Lt(edge, hn::Neg(error));
+        };
+        const auto above01 = above(edge01, error01), above12 = above(edge12, error12),
+                   above20 = above(edge20, error20), below01 = below(edge01, error01),
+                   below12 = below(edge12, error12), below20 = below(edge20, error20);
+        const auto outside = hn::And(
+            hn::Or(hn::Or(above01, above12), above20), hn::Or(hn::Or(below01, below12), below20));
+        const auto inside = hn::Or(hn::And(hn::And(above01, above12), above20),
+            hn::And(hn::And(below01, below12), below20));
+
+        const TreeFloats det_size = hn::Abs(det), height = hn::Abs(volume);
+        const auto opposite =
+            hn::Lt(hn::CopySign(hn::Set(d, 1), hn::Xor(det, volume)), hn::Zero(d));
+        const auto signs = hn::And(hn::Gt(det_size, det_error), hn::Gt(height, volume_error));
+        const auto too_far = hn::Gt(hn::Sub(height, volume_error),
+            hn::Mul(hn::Set(d, limit),
+                hn::Mul(hn::Add(det_size, det_error), hn::Set(d, 1 + 0x1p-20f))));
+        const auto missed = hn::Or(hn::Or(outside, too_far), hn::And(signs, opposite));
+        const auto in_range = hn::Lt(most, hn::Set(d, 0x1p38f));
+
+        const hn::RebindToUnsigned<TreeTag> ids;
+        const auto there =
+            hn::RebindMask(d, hn::Ne(hn::Load(ids, block.triangle + k), hn::Set(ids, kNoItem)));
+        const unsigned possible = mask_bits(there) & ~mask_bits(hn::And(missed, in_range));
+        if (possible == 0) return;
+        const auto known = hn::And(
+            hn::And(inside, in_range), hn::And(hn::AndNot(opposite, signs),
+                                           hn::Gt(det_size, hn::Mul(hn::Set(d, 4), det_error))));
+        hits.possible |= possible << k;
+        hits.certain |= (possible & mask_bits(known)) << k;
+        hn::Store(det_size, d, hits.det + k);
+        hn::Store(det_error, d, hits.det_error + k);
+        hn::Store(height, d, hits.volume + k);
+        hn::Store(volume_error, d, hits.volume_error + k);
+    }
+
+    TreeVector origin_, direction_;
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace firsthit
+HWY_AFTER_NAMESPACE();
+
+#endif // include guard for each target
