@@ -25,30 +25,37 @@ HWY_BEFORE_NAMESPACE();
 namespace firsthit {
 namespace HWY_NAMESPACE {
 
-struct TreeVector {
-    TreeFloats x, y, z;
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many floats as fit, at most the triangles of a block.
+using BlockTag = hn::CappedTag<float, kPerLeaf>;
+using BlockFloats = hn::Vec<BlockTag>;
+inline constexpr int kBlockLanes = int(hn::MaxLanes(BlockTag()));
+
+struct BlockVector {
+    BlockFloats x, y, z;
 };
-HWY_INLINE TreeVector operator-(const TreeVector& a, const TreeVector& b)
+HWY_INLINE BlockVector operator-(const BlockVector& a, const BlockVector& b)
 {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
-HWY_INLINE TreeFloats dot(const TreeVector& a, const TreeVector& b)
+HWY_INLINE BlockFloats dot(const BlockVector& a, const BlockVector& b)
 {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
-HWY_INLINE TreeVector cross(const TreeVector& a, const TreeVector& b)
+HWY_INLINE BlockVector cross(const BlockVector& a, const BlockVector& b)
 {
     return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
         hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
         hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
-HWY_INLINE TreeFloats largest(const TreeVector& a)
+HWY_INLINE BlockFloats largest(const BlockVector& a)
 {
     return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
 }
-HWY_INLINE TreeVector broadcast(const glm::vec3& v)
+HWY_INLINE BlockVector broadcast(const glm::vec3& v)
 {
-    const TreeTag d;
+    const BlockTag d;
     return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
 
@@ -82,39 +89,40 @@ class BlockTest {
     HWY_INLINE void test(const TriangleBlock& block, float limit, BlockHits& hits) const
     {
         hits.possible = hits.certain = 0;
-        for (int k = 0; k < kPerLeaf; k += kTreeLanes) test_lanes(block, k, limit, hits);
+        for (int k = 0; k < kPerLeaf; k += kBlockLanes) test_lanes(block, k, limit, hits);
     }
 
   private:
     HWY_INLINE void test_lanes(
         const TriangleBlock& block, int k, float limit, BlockHits& hits) const
     {
-        const TreeTag d;
-        const auto corner = [&](int number) -> TreeVector {
+        const BlockTag d;
+        const auto corner = [&](int number) -> BlockVector {
             const auto axis = [&](int a) { return hn::Load(d, block.corner[3 * number + a] + k); };
             return {axis(0), axis(1), axis(2)};
         };
-        const TreeVector v0 = corner(0), e1 = corner(1) - v0, e2 = corner(2) - v0, p = v0 - origin_;
-        const TreeVector n = cross(e1, e2), r = cross(direction_, p);
-        const TreeFloats det = dot(direction_, n), volume = dot(p, n), edge01 = dot(e1, r),
-                         edge20 = hn::Neg(dot(e2, r)),
-                         edge12 = hn::Sub(hn::Sub(det, edge01), edge20);
+        const BlockVector v0 = corner(0), e1 = corner(1) - v0, e2 = corner(2) - v0,
+                          p = v0 - origin_;
+        const BlockVector n = cross(e1, e2), r = cross(direction_, p);
+        const BlockFloats det = dot(direction_, n), volume = dot(p, n), edge01 = dot(e1, r),
+                          edge20 = hn::Neg(dot(e2, r)),
+                          edge12 = hn::Sub(hn::Sub(det, edge01), edge20);
 
-        const TreeFloats size_p = largest(p), size1 = largest(e1), size2 = largest(e2);
-        const TreeFloats most = hn::Max(size_p, hn::Max(size1, size2)),
-                         more = hn::Add(most, hn::Set(d, 1)),
-                         floor = hn::Mul(hn::Set(d, 0x1p-119f), hn::Mul(more, more)),
-                         relative = hn::Set(d, 0x1p-17f);
-        const TreeFloats size12 = hn::Mul(size1, size2);
-        const TreeFloats error01 = hn::MulAdd(relative, hn::Mul(size_p, size1), floor),
-                         error20 = hn::MulAdd(relative, hn::Mul(size_p, size2), floor),
-                         det_error = hn::MulAdd(relative, size12, floor),
-                         error12 = hn::Add(hn::Add(error01, error20), det_error),
-                         volume_error =
-                             hn::MulAdd(hn::Set(d, 0x1p-18f), hn::Mul(size_p, size12), floor);
+        const BlockFloats size_p = largest(p), size1 = largest(e1), size2 = largest(e2);
+        const BlockFloats most = hn::Max(size_p, hn::Max(size1, size2)),
+                          more = hn::Add(most, hn::Set(d, 1)),
+                          floor = hn::Mul(hn::Set(d, 0x1p-119f), hn::Mul(more, more)),
+                          relative = hn::Set(d, 0x1p-17f);
+        const BlockFloats size12 = hn::Mul(size1, size2);
+        const BlockFloats error01 = hn::MulAdd(relative, hn::Mul(size_p, size1), floor),
+                          error20 = hn::MulAdd(relative, hn::Mul(size_p, size2), floor),
+                          det_error = hn::MulAdd(relative, size12, floor),
+                          error12 = hn::Add(hn::Add(error01, error20), det_error),
+                          volume_error =
+                              hn::MulAdd(hn::Set(d, 0x1p-18f), hn::Mul(size_p, size12), floor);
 
-        const auto above = [](TreeFloats edge, TreeFloats error) { return hn::Gt(edge, error); };
-        const auto below = [](TreeFloats edge, TreeFloats error) {
+        const auto above = [](BlockFloats edge, BlockFloats error) { return hn::Gt(edge, error); };
+        const auto below = [](BlockFloats edge, BlockFloats error) {
             return hn::Lt(edge, hn::Neg(error));
         };
         const auto above01 = above(edge01, error01), above12 = above(edge12, error12),
@@ -125,7 +133,7 @@ class BlockTest {
         const auto inside = hn::Or(hn::And(hn::And(above01, above12), above20),
             hn::And(hn::And(below01, below12), below20));
 
-        const TreeFloats det_size = hn::Abs(det), height = hn::Abs(volume);
+        const BlockFloats det_size = hn::Abs(det), height = hn::Abs(volume);
         const auto opposite =
             hn::Lt(hn::CopySign(hn::Set(d, 1), hn::Xor(det, volume)), hn::Zero(d));
         const auto signs = hn::And(hn::Gt(det_size, det_error), hn::Gt(height, volume_error));
@@ -135,23 +143,23 @@ class BlockTest {
         const auto missed = hn::Or(hn::Or(outside, too_far), hn::And(signs, opposite));
         const auto in_range = hn::Lt(most, hn::Set(d, 0x1p38f));
 
-        const hn::RebindToUnsigned<TreeTag> ids;
+        const hn::RebindToUnsigned<BlockTag> ids;
         const auto there =
             hn::RebindMask(d, hn::Ne(hn::Load(ids, block.triangle + k), hn::Set(ids, kNoItem)));
-        const unsigned possible = mask_bits(there) & ~mask_bits(hn::And(missed, in_range));
+        const unsigned possible = mask_bits(d, there) & ~mask_bits(d, hn::And(missed, in_range));
         if (possible == 0) return;
         const auto known = hn::And(
             hn::And(inside, in_range), hn::And(hn::AndNot(opposite, signs),
                                            hn::Gt(det_size, hn::Mul(hn::Set(d, 4), det_error))));
         hits.possible |= possible << k;
-        hits.certain |= (possible & mask_bits(known)) << k;
+        hits.certain |= (possible & mask_bits(d, known)) << k;
         hn::Store(det_size, d, hits.det + k);
         hn::Store(det_error, d, hits.det_error + k);
         hn::Store(height, d, hits.volume + k);
         hn::Store(volume_error, d, hits.volume_error + k);
     }
 
-    TreeVector origin_, direction_;
+    BlockVector origin_, direction_;
 };
 
 } // namespace HWY_NAMESPACE

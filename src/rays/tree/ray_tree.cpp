@@ -97,11 +97,13 @@ void RayTree::build(const WorldTriangles& triangles, Tasks& tasks)
     built_cost_ = cost();
 }
 
-void RayTree::refit(const WorldTriangles& triangles, Tasks& tasks)
+bool RayTree::refit(const WorldTriangles& triangles, Tasks& tasks)
 {
     ++all_refits;
     fit(triangles, tasks);
-    if (cost() > kWorn * built_cost_) build(triangles, tasks);
+    const bool is_worn = cost() > kWorn * built_cost_;
+    if (is_worn) build(triangles, tasks);
+    return is_worn;
 }
 
 RayTree::Counts RayTree::counts()

@@ -40,7 +40,7 @@ struct alignas(64) TreeNode {
 };
 
 /// The triangles of a leaf, their corners beside each other.
-struct alignas(64) TriangleBlock {
+struct alignas(32) TriangleBlock {
     float corner[9][kPerLeaf];        // x, y, z of corners 0, 1 and 2
     std::uint32_t triangle[kPerLeaf]; // id; kNoItem: no triangle, or one that no ray can hit
 };
@@ -58,8 +58,8 @@ class RayTree {
     void build(const WorldTriangles& triangles, Tasks& tasks);
 
     /// Fits boxes and corners to other positions of the triangles that it was built of. Where the boxes have
-    /// grown so much that rays would meet twice as many, it builds anew.
-    void refit(const WorldTriangles& triangles, Tasks& tasks);
+    /// grown so much that rays would meet twice as many, it builds anew. returns  whether it did
+    bool refit(const WorldTriangles& triangles, Tasks& tasks);
 
     bool empty() const { return node_.empty(); }
     std::span<const TreeNode> nodes() const

@@ -30,11 +30,13 @@ using TreeTag = hn::CappedTag<float, kWide>;
 using TreeFloats = hn::Vec<TreeTag>;
 inline constexpr int kTreeLanes = int(hn::MaxLanes(TreeTag()));
 
-HWY_INLINE unsigned mask_bits(hn::Mask<TreeTag> mask)
+/// Bit k: lane k of at most eight is true.
+template <class Tag>
+HWY_INLINE unsigned mask_bits(Tag tag, hn::Mask<Tag> mask)
 {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(TreeTag(), mask, bits);
-    return bits[0] & ((1u << kTreeLanes) - 1);
+    hn::StoreMaskBits(tag, mask, bits);
+    return bits[0] & ((1u << hn::MaxLanes(tag)) - 1);
 }
 
 /// An exit or limit with what Ize's rule adds.
@@ -76,7 +78,7 @@ class SlabTest {
                 distance(far_row_[2], far_[2], inverse_[2]));
             hn::Store(enter, d, entry + k);
             const TreeFloats end = hn::Min(hn::MulAdd(leave, grow, least), most);
-            bits |= mask_bits(hn::Le(enter, end)) << k;
+            bits |= mask_bits(d, hn::Le(enter, end)) << k;
         }
         return bits;
     }
