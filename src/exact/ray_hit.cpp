@@ -90,35 +90,88 @@ int volume_sign(const Ray& ray, const Corners& c, Effort& effort)
     return exact_volume(ray, c).sign();
 }
 
-/// The float nearest to value / det, if double precision knows it; else NaN.
-float certain_quotient(const Bounded& value, const Bounded& det)
-{
-    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-    if (!(det.error <= 0.25 * std::abs(det.value))) return kUnknown;
-    // With an error of a quarter of det at most, 2 stands for 1 / (1 - 1/4) and the roundings here.
-    const double q = value.value / det.value;
-    const double error =
-        2 * ((value.error + std::abs(q) * det.error) / std::abs(det.value) + kUlp * std::abs(q));
-    if (!(q + error < double(std::numeric_limits<float>::max()))) return kUnknown;
-    const float low = float(q - error), high = float(q + error);
-    return low == high && low >= kLeastWeight ? low : kUnknown;
-}
+/// The floats nearest to quotients of one determinant, where double precision knows them.
+class CertainQuotients {
+  public:
+    explicit CertainQuotients(const Bounded& det)
+        : inverse_(1 / det.value),
+          det_error_(det.error),
+          is_good_(det.error <= 0.25 * std::abs(det.value))
+    {
+    }
+
+    /// value / det; NaN if it is not certain.
+    float operator()(const Bounded& value) const
+    {
+        constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+        // With an error of a quarter of det at most, 2 stands for 1 / (1 - 1/4) and the roundings here.
+        const double q = value.value * inverse_, size = std::abs(q);
+        const double error =
+            2 * ((value.error + size * det_error_) * std::abs(inverse_) + 2 * kUlp * size);
+        if (!is_good_ || !(q + error < double(std::numeric_limits<float>::max()))) return kUnknown;
+        const float low = float(q - error), high = float(q + error);
+        return low == high && low >= kLeastWeight ? low : kUnknown;
+    }
+
+  private:
+    double inverse_, det_error_;
+    bool is_good_;
+};
 
 double largest_size(const dvec3& v)
 {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// The unit normal of the corners' order, within a few units in the last place of float.
-vec3 unit_normal(const Corners& c)
-{
-    const dvec3 e1 = difference(c[1], c[0]), e2 = difference(c[2], c[0]);
-    dvec3 n = glm::cross(e1, e2);
-    if (largest_size(n) < 0x1p-24 * largest_size(e1) * largest_size(e2)) { // digits cancel
-        const auto exact = [&](const vec3& axis) { return exact_determinant(c, axis).estimate(); };
-        n = {exact({1, 0, 0}), exact({0, 1, 0}), exact({0, 0, 1})};
+/// A triangle's n = e1 x e2 from corner 0, with what bounds the error of its products.
+struct PlainNormal {
+    dvec3 e1, e2, n, size;
+
+    explicit PlainNormal(const Corners& c) : e1(difference(c[1], c[0])), e2(difference(c[2], c[0]))
+    {
+        const dvec3 plus(e1.y * e2.z, e1.z * e2.x, e1.x * e2.y),
+            minus(e1.z * e2.y, e1.x * e2.z, e1.y * e2.x);
+        n = plus - minus;
+        size = glm::abs(plus) + glm::abs(minus);
     }
-    return vec3(glm::normalize(n / largest_size(n)));
+
+    /// a . n, as bounded_volume has it.
+    Bounded along(const dvec3& a) const
+    {
+        return {(a.x * n.x + a.y * n.y) + a.z * n.z,
+            10 * kUlp *
+                ((std::abs(a.x) * size.x + std::abs(a.y) * size.y) + std::abs(a.z) * size.z)};
+    }
+
+    /// The unit normal, within a few units in the last place of float.
+    vec3 unit(const Corners& c) const
+    {
+        dvec3 m = n;
+        if (largest_size(n) < 0x1p-24 * largest_size(e1) * largest_size(e2)) { // digits cancel
+            const auto exact = [&](const vec3& axis) {
+                return exact_determinant(c, axis).estimate();
+            };
+            m = {exact({1, 0, 0}), exact({0, 1, 0}), exact({0, 0, 1})};
+        }
+        return vec3(m * (1 / std::sqrt(glm::dot(m, m)))); // squares are from 2^-596 to 2^404
+    }
+};
+
+/// Weights of corners 1 and 2, each NaN where double precision does not know it.
+std::array<float, 2> certain_weights(
+    const Ray& ray, const Corners& c, const CertainQuotients& quotient)
+{
+    return {quotient(bounded_edge(ray, c[2], c[0])), quotient(bounded_edge(ray, c[0], c[1]))};
+}
+
+std::array<float, 2> with_exact_weights(
+    const Ray& ray, const Corners& c, std::array<float, 2> certain)
+{
+    for (std::size_t k = 0; k < 2; ++k)
+        if (certain[k] != certain[k])
+            certain[k] = rounded_quotient(exact_edge(ray, c[k == 0 ? 2 : 0], c[k == 0 ? 0 : 1]),
+                exact_determinant(c, ray.direction));
+    return certain;
 }
 
 } // namespace
@@ -205,25 +258,22 @@ DepthInterval depth_interval(const Ray& ray, const Corners& c)
 
 std::array<float, 2> rounded_barycentrics(const Ray& ray, const Corners& c)
 {
-    const Bounded det = bounded_determinant(ray, c);
-    const auto weight = [&](const vec3& a, const vec3& b) {
-        const float certain = certain_quotient(bounded_edge(ray, a, b), det);
-        if (certain == certain) return certain;
-        return rounded_quotient(exact_edge(ray, a, b), exact_determinant(c, ray.direction));
-    };
-    return {weight(c[2], c[0]), weight(c[0], c[1])};
+    const CertainQuotients quotient(bounded_determinant(ray, c));
+    return with_exact_weights(ray, c, certain_weights(ray, c, quotient));
 }
 
 RayHit rounded_hit(const Ray& ray, const Corners& c)
 {
+    const PlainNormal normal(c);
+    const CertainQuotients quotient(normal.along(dvec3(ray.direction)));
     RayHit hit;
-    const float t = certain_quotient(bounded_volume(ray, c), bounded_determinant(ray, c));
-    hit.t =
-        t == t ? t : rounded_quotient(exact_volume(ray, c), exact_determinant(c, ray.direction));
-    const auto [u, v] = rounded_barycentrics(ray, c);
+    hit.t = quotient(normal.along(difference(c[0], ray.origin)));
+    if (hit.t != hit.t)
+        hit.t = rounded_quotient(exact_volume(ray, c), exact_determinant(c, ray.direction));
+    const auto [u, v] = with_exact_weights(ray, c, certain_weights(ray, c, quotient));
     hit.u = u;
     hit.v = v;
-    hit.normal = unit_normal(c);
+    hit.normal = normal.unit(c);
     return hit;
 }
 

@@ -6,10 +6,12 @@
 //     det = d . (e1 x e2)        volume = p . (e1 x e2)
 //
 // Each is a sum of three terms with at most eight roundings of 2^-24, of a size that the largest coordinates P, E1
-// and E2 of p, e1 and e2 bound; d is below 2. An edge's error is below 7 * 12 * 2^-24 P E1 and so on, the third one's
-// below that of all three and two roundings: 108 * 2^-24 of them; the volume's is below 8 * 6 * 2^-24 P E1 E2. What
-// denormal numbers lose, also where they are flushed to zero, is below 2^-119 (1 + M)^2 with M = max(P, E1, E2).
-// Where M is so large that products might overflow, nothing is certain.
+// and E2 of p, e1 and e2 bound; d is below 2. The error of the first two is below 7 * 12 * 2^-24 P E, with E for E1 or E2,
+// that of det below 7 * 12 * 2^-24 E1 E2, that of the third below the sum of these and two roundings,
+// 108 * 2^-24 (P E1 + P E2 + E1 E2): this is taken for all three. The volume's error is below 8 * 6 * 2^-24 P E1 E2. What
+// denormal numbers lose, also where they are flushed to zero, is below 2^-119 (1 + M)^2 with M >= max(P, E1, E2).
+// M is that of the whole tree, seen from the ray's origin. Where it is so large that products might overflow, it is each
+// triangle's own, and nothing is certain of those where they still might.
 #if defined(FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_
 #undef FIRSTHIT_RAYS_TREE_BLOCK_TEST_INL_H_
@@ -79,10 +81,13 @@ struct BlockHits {
 
 class BlockTest {
   public:
-    HWY_INLINE explicit BlockTest(const PreparedRay& ray)
+    HWY_INLINE BlockTest(const PreparedRay& ray, float largest_coordinate)
         : origin_(broadcast(ray.origin)),
           direction_(broadcast(ray.direction))
     {
+        const float most = 2 * (largest_coordinate + largest_of(ray.origin));
+        is_huge_ = !(most < kHuge);
+        floor_ = kFloor * (1 + most) * (1 + most);
     }
 
     /// limit  triangles that are certainly hit at a greater scaled t are missed
@@ -109,29 +114,26 @@ class BlockTest {
                           edge12 = hn::Sub(hn::Sub(det, edge01), edge20);
 
         const BlockFloats size_p = largest(p), size1 = largest(e1), size2 = largest(e2);
-        const BlockFloats most = hn::Max(size_p, hn::Max(size1, size2)),
-                          more = hn::Add(most, hn::Set(d, 1)),
-                          floor = hn::Mul(hn::Set(d, 0x1p-119f), hn::Mul(more, more)),
-                          relative = hn::Set(d, 0x1p-17f);
-        const BlockFloats size12 = hn::Mul(size1, size2);
-        const BlockFloats error01 = hn::MulAdd(relative, hn::Mul(size_p, size1), floor),
-                          error20 = hn::MulAdd(relative, hn::Mul(size_p, size2), floor),
-                          det_error = hn::MulAdd(relative, size12, floor),
-                          error12 = hn::Add(hn::Add(error01, error20), det_error),
+        BlockFloats floor = hn::Set(d, floor_);
+        unsigned in_range = (1u << kBlockLanes) - 1;
+        if (is_huge_) [[unlikely]] {
+            const BlockFloats most = hn::Max(size_p, hn::Max(size1, size2));
+            const BlockFloats more = hn::Add(most, hn::Set(d, 1));
+            floor = hn::Mul(hn::Set(d, kFloor), hn::Mul(more, more));
+            in_range = mask_bits(d, hn::Lt(most, hn::Set(d, kHuge)));
+        }
+        const BlockFloats size12 = hn::Mul(size1, size2), relative = hn::Set(d, 0x1p-17f);
+        const BlockFloats det_error = hn::MulAdd(relative, size12, floor),
+                          error = hn::MulAdd(
+                              hn::Mul(relative, size_p), hn::Add(size1, size2), det_error),
                           volume_error =
                               hn::MulAdd(hn::Set(d, 0x1p-18f), hn::Mul(size_p, size12), floor);
 
-        const auto above = [](BlockFloats edge, BlockFloats error) { return hn::Gt(edge, error); };
-        const auto below = [](BlockFloats edge, BlockFloats error) {
-            return hn::Lt(edge, hn::Neg(error));
-        };
-        const auto above01 = above(edge01, error01), above12 = above(edge12, error12),
-                   above20 = above(edge20, error20), below01 = below(edge01, error01),
-                   below12 = below(edge12, error12), below20 = below(edge20, error20);
-        const auto outside = hn::And(
-            hn::Or(hn::Or(above01, above12), above20), hn::Or(hn::Or(below01, below12), below20));
-        const auto inside = hn::Or(hn::And(hn::And(above01, above12), above20),
-            hn::And(hn::And(below01, below12), below20));
+        const BlockFloats least = hn::Min(hn::Min(edge01, edge12), edge20),
+                          greatest = hn::Max(hn::Max(edge01, edge12), edge20);
+        const auto some_above = hn::Gt(greatest, error), some_below = hn::Lt(least, hn::Neg(error));
+        const auto outside = hn::And(some_above, some_below);
+        const auto inside = hn::Or(hn::Gt(least, error), hn::Lt(greatest, hn::Neg(error)));
 
         const BlockFloats det_size = hn::Abs(det), height = hn::Abs(volume);
         const auto opposite =
@@ -141,25 +143,31 @@ class BlockTest {
             hn::Mul(hn::Set(d, limit),
                 hn::Mul(hn::Add(det_size, det_error), hn::Set(d, 1 + 0x1p-20f))));
         const auto missed = hn::Or(hn::Or(outside, too_far), hn::And(signs, opposite));
-        const auto in_range = hn::Lt(most, hn::Set(d, 0x1p38f));
-
         const hn::RebindToUnsigned<BlockTag> ids;
         const auto there =
             hn::RebindMask(d, hn::Ne(hn::Load(ids, block.triangle + k), hn::Set(ids, kNoItem)));
-        const unsigned possible = mask_bits(d, there) & ~mask_bits(d, hn::And(missed, in_range));
+        const unsigned possible = mask_bits(d, there) & ~(mask_bits(d, missed) & in_range);
         if (possible == 0) return;
-        const auto known = hn::And(
-            hn::And(inside, in_range), hn::And(hn::AndNot(opposite, signs),
-                                           hn::Gt(det_size, hn::Mul(hn::Set(d, 4), det_error))));
+        const auto known = hn::And(hn::And(inside, hn::AndNot(opposite, signs)),
+            hn::Gt(det_size, hn::Mul(hn::Set(d, 4), det_error)));
         hits.possible |= possible << k;
-        hits.certain |= (possible & mask_bits(d, known)) << k;
+        hits.certain |= (possible & in_range & mask_bits(d, known)) << k;
         hn::Store(det_size, d, hits.det + k);
         hn::Store(det_error, d, hits.det_error + k);
         hn::Store(height, d, hits.volume + k);
         hn::Store(volume_error, d, hits.volume_error + k);
     }
 
+    static constexpr float kFloor = 0x1p-119f, kHuge = 0x1p38f;
+
+    static float largest_of(const glm::vec3& v)
+    {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
+
     BlockVector origin_, direction_;
+    float floor_;  // what denormal numbers lose
+    bool is_huge_; // it has to be found for each triangle
 };
 
 } // namespace HWY_NAMESPACE

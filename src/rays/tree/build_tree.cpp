@@ -13,7 +13,7 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kBins = 16;
+constexpr int kBins = 32;
 /// Below this depth ranges are halved, so that no tree is deeper than kDeepest.
 constexpr int kDeepByArea = 48;
 static_assert(kDeepByArea + 32 <= kDeepest);
@@ -122,11 +122,12 @@ class TreeBuilder {
         }
     }
 
-    /// Which part to split next: the largest box of those that are too many for a leaf, then others.
+    /// Which part to split next: the one with the largest box, of those that are too many for a leaf if there are
+    /// such. The factor is beyond any ratio of areas that matters.
     static double rank(const Range& range)
     {
         if (!range.is_splittable || range.count() <= 1) return -1;
-        return range.count() > kPerLeaf ? 1e300 : range.box.area();
+        return range.box.area() * (range.count() > kPerLeaf ? 1e60 : 1);
     }
 
     void add_leaf(const Range& range)

@@ -34,7 +34,7 @@ class Traversal {
           ray_(ray),
           answer_(answer),
           slabs_(ray),
-          blocks_(ray)
+          blocks_(ray, target.tree.largest_coordinate())
     {
     }
 
