@@ -15,8 +15,11 @@
 #include <firsthit/material.h>
 #include <firsthit/normals.h>
 #include <firsthit/npy.h>
+#include <firsthit/npz.h>
 #include <firsthit/occlusion.h>
 #include <firsthit/picture.h>
+#include <firsthit/ray.h>
+#include <firsthit/ray_caster.h>
 #include <firsthit/render.h>
 #include <firsthit/scene.h>
 #include <firsthit/scene_builder.h>

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -23,6 +24,10 @@ std::vector<glm::vec3> read_npy_points(const std::string& path);
 /// The same as doubles.
 std::vector<glm::dvec3> read_npy_vectors(const std::string& path);
 
+/// Reads an array of shape (N, 6), of the same types: origins and directions of rays.
+/// throws  FileError: as read_npy_points
+std::vector<std::array<float, 6>> read_npy_rays(const std::string& path);
+
 /// Reads an array of shape (N), bool or integers of 8 to 64 bits of either byte order, with values from 0 to
 /// 2^32 - 1; -1 means kNoItem.
 /// throws  FileError: as read_npy_points, and for a value out of range (the message names its row)
@@ -33,6 +38,8 @@ std::vector<std::uint32_t> read_npy_ids(const std::string& path);
 std::vector<glm::vec3> parse_npy_points(std::string_view bytes, const std::string& name);
 /// Like read_npy_vectors, for bytes in memory.
 std::vector<glm::dvec3> parse_npy_vectors(std::string_view bytes, const std::string& name);
+/// Like read_npy_rays, for bytes in memory.
+std::vector<std::array<float, 6>> parse_npy_rays(std::string_view bytes, const std::string& name);
 /// Like read_npy_ids, for bytes in memory.
 std::vector<std::uint32_t> parse_npy_ids(std::string_view bytes, const std::string& name);
 

@@ -18,6 +18,7 @@ PYBIND11_MODULE(_firsthit, module)
     add_cameras(module);
     add_frames(module);
     add_occlusion(module);
+    add_rays(module);
     add_compare(module);
     module.attr("__version__") = firsthit::version();
     module.def("instruction_set", &firsthit::instruction_set);

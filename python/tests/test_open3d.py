@@ -13,7 +13,7 @@ import pytest
 
 import firsthit as fh
 from conftest import random_mesh
-from firsthit.compat.open3d import RaycastingScene, camera_of_rays
+from firsthit.compat.open3d import RaycastingScene
 
 RAYS = dict(fov_deg=60, center=[0, 0, 0], eye=[0.2, 0.1, 3], up=[0, 1, 0], width_px=40, height_px=30)
 
@@ -55,31 +55,40 @@ def test_normals_go_by_the_order_of_corners_seen_from_behind_too():
     assert np.allclose(hit["primitive_normals"][hit["geometry_ids"] == 0], [0, 0, 1], atol=1e-6)
 
 
-def test_rays_of_any_length_are_those_of_a_camera():
+def test_rays_of_any_length_and_shape():
     scene = one_triangle()
     rays = RaycastingScene.create_rays_pinhole(**RAYS)
     longer = rays * np.float32([1, 1, 1, 2, 2, 2])
     assert np.array_equal(scene.cast_rays(longer)["t_hit"] * 2, scene.cast_rays(rays)["t_hit"])
-    k = np.array([[50.0, 0.7, 19.0], [0, 48.0, 16.0], [0, 0, 1]])
-    t = np.eye(4)
-    t[:3, :3] = np.diag([1, -1, -1])
-    t[:3, 3] = [0.1, 0.2, 3]
-    camera, along = camera_of_rays(RaycastingScene.create_rays_pinhole(k, t, 40, 30))
-    assert along == pytest.approx(1) and np.allclose(fh.world_to_camera_opencv(camera), t, atol=1e-5)
-    assert np.allclose(fh.intrinsics(camera, pixel_center=0.5), k, rtol=1e-4, atol=1e-4)
+    assert scene.cast_rays(rays[0, 0])["t_hit"].shape == () and scene.cast_rays(rays[:0])["t_hit"].shape == (0, 30 + 10)
+    assert np.array_equal(scene.cast_rays(rays.reshape(-1, 6))["t_hit"], scene.cast_rays(rays)["t_hit"].ravel())
 
 
-def test_other_rays_say_so():
+def test_occlusions_counts_and_lists():
+    scene = one_triangle()
+    scene.add_triangles([[-9, -9, -5], [9, -9, -5], [0, 9, -5]], [[0, 1, 2]])
+    rays = np.float32([[0, 0, 1, 0, 0, -1], [5, 0, 1, 0, 0, -1], [2, -1, 1, 0, 0, -2], [0, 0, -6, 0, 0, 1]])
+    assert scene.count_intersections(rays).tolist() == [2, 0, 1, 2]
+    assert scene.count_intersections(rays).dtype == np.int32
+    assert scene.test_occlusions(rays).tolist() == [True, False, True, True]
+    assert scene.test_occlusions(rays, tnear=1, tfar=1).tolist() == [True, False, False, True]
+    assert scene.test_occlusions(rays, tnear=1.5, tfar=2).tolist() == [False] * 4
+    hits = scene.list_intersections(rays)
+    assert {name: (a.dtype.name, a.shape) for name, a in hits.items()} == {
+        "ray_splits": ("uint32", (5,)), "ray_ids": ("uint32", (5,)), "t_hit": ("float32", (5,)),
+        "geometry_ids": ("uint32", (5,)), "primitive_ids": ("uint32", (5,)), "primitive_uvs": ("float32", (5, 2))}
+    assert hits["ray_splits"].tolist() == [0, 2, 2, 3, 5] and hits["ray_ids"].tolist() == [0, 0, 2, 3, 3]
+    assert hits["t_hit"].tolist() == [1, 6, 3, 1, 6] and hits["geometry_ids"].tolist() == [0, 1, 1, 1, 0]
+    assert hits["primitive_ids"].tolist() == [0] * 5
+    empty = RaycastingScene()
+    assert not empty.test_occlusions(rays).any() and np.isinf(empty.cast_rays(rays)["t_hit"]).all()
+
+
+def test_what_is_refused():
     scene, rays = one_triangle(), RaycastingScene.create_rays_pinhole(**RAYS)
-    bent = rays.copy()
-    bent[3, 4, 3] += 0.01
-    apart = rays.copy()
-    apart[0, 1, 0] += 0.1
-    for bad in (bent, apart, rays[:1], rays[:, ::-1], np.zeros((3, 3, 6))):
-        with pytest.raises(NotImplementedError, match="pinhole"):
-            scene.cast_rays(bad)
-    with pytest.raises(ValueError, match="wanted"):
-        scene.cast_rays(rays[..., :5])
+    for call in (scene.cast_rays, scene.test_occlusions, scene.count_intersections, scene.list_intersections):
+        with pytest.raises(ValueError, match="wanted"):
+            call(rays[..., :5])
     with pytest.raises(TypeError):
         RaycastingScene.create_rays_pinhole(60, [0, 0, 0], [0, 0, 1])
     with pytest.raises(TypeError, match="eyes"):
@@ -126,6 +135,16 @@ for turn in range(4):
         normals += (np.abs(a["primitive_normals"] - b["primitive_normals"])[seen].max(1) > 1e-3).sum()
         steep = np.abs(np.einsum("ij,ij->i", b["primitive_normals"][seen], rays.numpy()[seen][:, 3:])) > 0.2
         assert np.allclose(a["primitive_uvs"][seen][steep], b["primitive_uvs"][seen][steep], atol=2e-2)
+rng = np.random.default_rng(1)
+some = rng.uniform(low, high, (4000, 3))
+some = np.concatenate([some, rng.uniform(low, high, (4000, 3)) - some], 1).astype(np.float32)
+a, b = ours.cast_rays(some), {name: value.numpy() for name, value in theirs.cast_rays(tensor(some)).items()}
+wrong = (a["primitive_ids"] != b["primitive_ids"]) | (a["geometry_ids"] != b["geometry_ids"])
+assert wrong.sum() <= 8 and (a["geometry_ids"] != 0xFFFFFFFF).sum() > 400, "any rays"
+counts = ours.count_intersections(some), theirs.count_intersections(tensor(some)).numpy()
+assert counts[0].dtype == counts[1].dtype and (counts[0] != counts[1]).sum() <= 40, "counts"
+occluded = [scene.test_occlusions(r, tnear=0.1, tfar=0.9) for scene, r in ((ours, some), (theirs, tensor(some)))]
+assert occluded[0].dtype == occluded[1].numpy().dtype and (occluded[0] != occluded[1].numpy()).sum() <= 8, "occlusions"
 print(pixels, int(seen.sum()), ids, depths, normals)
 """
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import firsthit as fh
-from firsthit.compat.trimesh import scene_of
+from conftest import random_mesh
+from firsthit.compat.trimesh import RayMeshIntersector, scene_of
 
 V = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -64,6 +65,47 @@ def test_a_scene_has_its_graphs_instances(front):
     assert [i["name"] for i in scene.instances] == ["left", "right"]
     seen = fh.render(scene.pose(), front, ["instance"])["instance"]
     assert set(np.unique(seen[:, :32])) == {0, fh.NO_ID} and set(np.unique(seen[:, 32:])) == {1, fh.NO_ID}
+
+
+def test_rays():
+    above = types.SimpleNamespace(vertices=np.concatenate([V, V + [0, 0, 1]]), faces=np.concatenate([F, F + 4]))
+    ray = RayMeshIntersector(above)
+    origins = np.array([[0.5, -0.2, 3], [-0.5, 0.2, 3], [4, 0, 3], [0.5, -0.2, 0.5]])
+    directions = np.tile([0.0, 0, -2], (4, 1))
+    assert ray.intersects_first(origins, directions).tolist() == [2, 3, -1, 0]
+    assert ray.intersects_any(origins, directions).tolist() == [True, True, False, True]
+    places, index_ray, index_tri = ray.intersects_location(origins, directions)
+    assert index_ray.tolist() == [0, 0, 1, 1, 3] and index_tri.tolist() == [2, 0, 3, 1, 0]
+    assert np.allclose(places[:, 2], [1, 0, 1, 0, 0]) and np.allclose(places[:, :2], origins[index_ray, :2])
+    assert places.dtype == np.float64 and index_ray.dtype == index_tri.dtype == np.int64
+    places, index_ray, index_tri = ray.intersects_location(origins, directions, multiple_hits=False)
+    assert index_ray.tolist() == [0, 1, 3] and index_tri.tolist() == [2, 3, 0]
+    index_tri, index_ray = ray.intersects_id(origins, directions, max_hits=1)
+    assert index_ray.tolist() == [0, 1, 3] and index_tri.tolist() == [2, 3, 0]
+    assert ray.intersects_id(origins, directions, return_locations=True)[2].shape == (5, 3)
+    assert ray.intersects_id(origins[:0], directions[:0], return_locations=True)[2].shape == (0, 3)
+    above.vertices = above.vertices + [0, 0, 0.25]
+    assert ray.intersects_location(origins[:1], directions[:1])[0][0, 2] == 1.25
+
+
+def test_points_inside():
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4],
+             [1, 5, 7], [1, 7, 3]]
+    box = types.SimpleNamespace(vertices=corners, faces=np.array(faces))
+    points = np.random.default_rng(1).uniform(-2, 2, (500, 3))
+    assert np.array_equal(RayMeshIntersector(box).contains_points(points), np.abs(points).max(1) < 1)
+
+
+def test_rays_beside_the_real_trimesh():
+    trimesh = pytest.importorskip("trimesh")
+    vertices, triangles = random_mesh(3, 200)
+    real = trimesh.Trimesh(vertices, triangles, process=False)
+    rng = np.random.default_rng(1)
+    origins, directions = rng.uniform(-1, 1, (2, 300, 3))
+    ours, theirs = RayMeshIntersector(real), trimesh.ray.ray_triangle.RayMeshIntersector(real)
+    assert (ours.intersects_first(origins, directions) != theirs.intersects_first(origins, directions)).sum() <= 2
+    assert (ours.intersects_any(origins, directions) != theirs.intersects_any(origins, directions)).sum() <= 1
 
 
 def test_the_real_trimesh(front):

@@ -1,6 +1,7 @@
 // cutouts.cpp - triangles that are there only where their opacity says so.
 #include "exact/cutouts.h"
 
+#include "exact/cutout_opacity.h"
 #include "exact/opacity.h"
 
 #include <algorithm>
@@ -74,14 +75,19 @@ void Cutouts::look_along(
     }
 }
 
+bool is_solid_at(const Scene& scene, std::uint32_t triangle, float u, float v, float blend_cutoff)
+{
+    const Material& material = scene.materials[scene.instances[scene.owner[triangle]].material];
+    return opacity(scene, triangle, u, v) >= cutoff_of(material, blend_cutoff);
+}
+
 bool Cutouts::is_solid(std::uint32_t triangle, const Corners& corners, const glm::vec3& d) const
 {
     if (nearest_ > 0 && !is_beyond(corners, d, nearest_)) return false;
-    const Material& material =
-        scene_->materials[scene_->instances[scene_->owner[triangle]].material];
-    if (material.alpha == AlphaMode::opaque) return true;
+    const Instance& instance = scene_->instances[scene_->owner[triangle]];
+    if (scene_->materials[instance.material].alpha == AlphaMode::opaque) return true;
     const auto [u, v] = weights(corners, d);
-    return opacity(*scene_, triangle, u, v) >= cutoff_of(material, blend_cutoff_);
+    return is_solid_at(*scene_, triangle, u, v, blend_cutoff_);
 }
 
 bool is_shadowed(const PencilSpace& space, const Cutouts& cutouts, const OccluderTriangle& occluder,

@@ -1,57 +1,12 @@
 // hit.cpp - exact predicates of hits where double precision is uncertain.
 #include "exact/hit.h"
 
-#include "exact/expansion.h"
-
-#include <algorithm>
-#include <tuple>
+#include "exact/exact_volumes.h"
 
 namespace firsthit {
 namespace {
 
 using glm::vec3;
-
-struct Product2 {
-    double plus, minus; // the value is plus - minus; both are exact products of two floats
-};
-
-/// The components of a x b, as differences of exact products.
-std::array<Product2, 3> cross_terms(const vec3& a, const vec3& b)
-{
-    return {{{double(a.y) * double(b.z), double(a.z) * double(b.y)},
-        {double(a.z) * double(b.x), double(a.x) * double(b.z)},
-        {double(a.x) * double(b.y), double(a.y) * double(b.x)}}};
-}
-
-/// Adds d . (a x b): six products of an exact product and a float, of two components each.
-template <int N>
-void add_volume(Expansion<N>& sum, const vec3& a, const vec3& b, const vec3& d)
-{
-    const auto n = cross_terms(a, b);
-    for (int axis = 0; axis < 3; ++axis) {
-        sum.add_product(n[std::size_t(axis)].plus, double(d[axis]));
-        sum.add_product(n[std::size_t(axis)].minus, -double(d[axis]));
-    }
-}
-
-Expansion<12> volume(const Corners& c)
-{
-    Expansion<12> sum;
-    add_volume(sum, c[1], c[2], c[0]);
-    sum.compress();
-    return sum;
-}
-
-/// N . d, which equals the sum of the three edge functions.
-Expansion<36> determinant(const Corners& c, const vec3& d)
-{
-    Expansion<36> sum;
-    add_volume(sum, c[0], c[1], d);
-    add_volume(sum, c[1], c[2], d);
-    add_volume(sum, c[2], c[0], d);
-    sum.compress();
-    return sum;
-}
 
 /// 1/t = det / volume of a triangle in double precision, with bounds of the errors.
 struct InverseDepth {
@@ -85,9 +40,6 @@ InverseDepth inverse_depth(const Corners& c, const vec3& d)
     return {std::abs(det), std::abs(volume), 10 * kUlp * det_size, 8 * kUlp * volume_size};
 }
 
-/// Below this, a rounded weight is 0.
-constexpr float kLeastWeight = 0x1p-126f;
-
 /// An edge function in double precision, and a bound of its error.
 struct PlainEdge {
     double value, error;
@@ -102,33 +54,6 @@ PlainEdge plain_edge(const vec3& a, const vec3& b, const vec3& d)
     // The error of each term is at most four roundings.
     return {(term[0] + term[1]) + term[2],
         8 * kUlp * (std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]))};
-}
-
-/// The float nearest to edge / det, which is not negative.
-float rounded_quotient(const Expansion<12>& edge, const Expansion<36>& det)
-{
-    const double q = edge.estimate() / det.estimate();
-    if (!(q >= double(kLeastWeight))) return 0;
-    // The quotient is between these floats, which are equal or neighbours.
-    const float low = float(q * (1 - 0x1p-40)), high = float(q * (1 + 0x1p-40));
-    if (low == high) return low;
-    const double middle = 0.5 * (double(low) + double(high)); // exact
-    Expansion<12 + 2 * 36> above;
-    above.add(edge);
-    above.add_scaled(det, -middle);
-    const int side = above.sign() * det.sign();
-    return side > 0 ? high : side < 0 ? low : float(middle);
-}
-
-/// Whether both triangles have the same three points, in any order.
-bool same_points(Corners a, Corners b)
-{
-    const auto less = [](const vec3& p, const vec3& q) {
-        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-    };
-    std::sort(a.begin(), a.end(), less);
-    std::sort(b.begin(), b.end(), less);
-    return a == b;
 }
 
 } // namespace
@@ -168,8 +93,8 @@ int compare_depth(const Corners& a, const Corners& b, const vec3& d, Effort& eff
     if (same_points(a, b)) return 0;
 
     ++effort.exact_calls;
-    const auto det_a = determinant(a, d), det_b = determinant(b, d);
-    const auto volume_a = volume(a), volume_b = volume(b);
+    const auto det_a = exact_determinant(a, d), det_b = exact_determinant(b, d);
+    const auto volume_a = exact_volume(a), volume_b = exact_volume(b);
     // Compressed, a determinant of floats within a few octaves has only two or three components.
     Expansion<2 * 2 * 36 * 12> sum;
     sum.add_product(det_a, volume_b, double(volume_b.sign() * det_a.sign()));
@@ -182,8 +107,8 @@ bool are_coplanar(const Corners& a, const Corners& b)
     if (same_points(a, b)) return true;
     for (const vec3& p : b) {
         Expansion<48> height; // N . p - N . v0, N . v0 = volume
-        height.add(determinant(a, p));
-        const auto base = volume(a);
+        height.add(exact_determinant(a, p));
+        const auto base = exact_volume(a);
         for (int i = 0; i < base.size(); ++i) height.add(-base[i]);
         if (height.sign() != 0) return false;
     }
@@ -198,7 +123,7 @@ double hit_depth(const Corners& c, const vec3& d)
 
 double exact_inverse_depth(const Corners& c, const vec3& d)
 {
-    return std::abs(determinant(c, d).estimate() / volume(c).estimate());
+    return std::abs(exact_determinant(c, d).estimate() / exact_volume(c).estimate());
 }
 
 std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
@@ -206,7 +131,7 @@ std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
     Expansion<12> opposite1, opposite2;
     add_volume(opposite1, c[2], c[0], d);
     add_volume(opposite2, c[0], c[1], d);
-    const double det = determinant(c, d).estimate();
+    const double det = exact_determinant(c, d).estimate();
     return {opposite1.estimate() / det, opposite2.estimate() / det};
 }
 
@@ -228,7 +153,7 @@ std::array<float, 2> rounded_barycentrics(const Corners& c, const vec3& d)
         if (certain && low == high && low >= kLeastWeight) return low;
         Expansion<12> exact;
         add_volume(exact, c[std::size_t((k + 1) % 3)], c[std::size_t((k + 2) % 3)], d);
-        return rounded_quotient(exact, determinant(c, d));
+        return rounded_quotient(exact, exact_determinant(c, d));
     };
     return {rounded(1), rounded(2)};
 }

@@ -1,4 +1,4 @@
-// npy_parse.cpp - points, directions and ids from NumPy arrays.
+// npy_parse.cpp - points, directions, rays and ids from NumPy arrays.
 #include "io/npy_header.h"
 
 #include <firsthit/error.h>
@@ -67,6 +67,7 @@ struct Wanted {
 };
 
 constexpr Wanted kVectors{true, "float16, float32, float64, bool, and integers of 8 to 64 bits", 3};
+constexpr Wanted kRays{true, kVectors.type_names, 6};
 constexpr Wanted kIds{false, "bool, and integers of 8 to 64 bits", 0};
 
 /// The array itself.
@@ -101,8 +102,9 @@ Array parse(std::string_view bytes, const std::string& name, const Wanted& wante
                           ? header.shape.size() == 1
                           : header.shape.size() == 2 && header.shape[1] == wanted.columns;
     if (!fits)
-        throw FileError(fmt::format("{}: the shape {} is not accepted, only {}", name,
-            shape_text(header.shape), wanted.columns ? "(N, 3)" : "(N,)"));
+        throw FileError(
+            fmt::format("{}: the shape {} is not accepted, only {}", name, shape_text(header.shape),
+                wanted.columns ? fmt::format("(N, {})", wanted.columns) : "(N,)"));
     const std::uint64_t rows = header.shape[0];
     const std::size_t columns = std::max<std::size_t>(1, wanted.columns);
     const std::uint64_t row_bytes = size * columns;
@@ -128,16 +130,21 @@ T value_at(const Array& array, std::size_t row, std::size_t column)
     return std::bit_cast<T>(raw);
 }
 
-template <class Vector>
-std::vector<Vector> parse_rows(std::string_view bytes, const std::string& name)
+/// Rows of numbers, each of a type with [].
+template <class Row, class Number>
+std::vector<Row> parse_rows(std::string_view bytes, const std::string& name, const Wanted& wanted)
 {
-    using Number = typename Vector::value_type;
-    const Array array = parse(bytes, name, kVectors);
-    std::vector<Vector> result(array.rows);
+    const Array array = parse(bytes, name, wanted);
+    std::vector<Row> result(array.rows);
     with_type(array.type, [&](auto type) {
         for (std::size_t row = 0; row < array.rows; ++row)
-            for (std::size_t k = 0; k < 3; ++k)
-                result[row][int(k)] = static_cast<Number>(value_at<decltype(type)>(array, row, k));
+            for (std::size_t k = 0; k < wanted.columns; ++k) {
+                const auto value = value_at<decltype(type)>(array, row, k);
+                if constexpr (std::is_same_v<Row, std::array<float, 6>>)
+                    result[row][k] = static_cast<Number>(value);
+                else
+                    result[row][int(k)] = static_cast<Number>(value);
+            }
     });
     return result;
 }
@@ -159,12 +166,17 @@ std::uint32_t id_of(T value, std::size_t row, const std::string& name)
 
 std::vector<glm::vec3> parse_npy_points(std::string_view bytes, const std::string& name)
 {
-    return parse_rows<glm::vec3>(bytes, name);
+    return parse_rows<glm::vec3, float>(bytes, name, kVectors);
 }
 
 std::vector<glm::dvec3> parse_npy_vectors(std::string_view bytes, const std::string& name)
 {
-    return parse_rows<glm::dvec3>(bytes, name);
+    return parse_rows<glm::dvec3, double>(bytes, name, kVectors);
+}
+
+std::vector<std::array<float, 6>> parse_npy_rays(std::string_view bytes, const std::string& name)
+{
+    return parse_rows<std::array<float, 6>, float>(bytes, name, kRays);
 }
 
 std::vector<std::uint32_t> parse_npy_ids(std::string_view bytes, const std::string& name)

@@ -1,4 +1,4 @@
-// fuzz_npy.cpp - NumPy arrays of any bytes: they become points and ids, or are refused by a FileError.
+// fuzz_npy.cpp - NumPy arrays of any bytes: they become points, rays and ids, or are refused by a FileError.
 #include <firsthit/error.h>
 #include <firsthit/npy.h>
 
@@ -12,6 +12,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         if (firsthit::parse_npy_points(bytes, "fuzz").size() > size / 12) std::abort();
         if (firsthit::parse_npy_vectors(bytes, "fuzz").size() > size / 12) std::abort();
+    } catch (const firsthit::FileError&) {
+    }
+    try {
+        if (firsthit::parse_npy_rays(bytes, "fuzz").size() > size / 6) std::abort();
     } catch (const firsthit::FileError&) {
     }
     try {

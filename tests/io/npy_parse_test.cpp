@@ -45,6 +45,16 @@ TEST(NpyParse, ReadsFloatAndDoublePoints)
     EXPECT_TRUE(parse_npy_points(npy_header("<f8", "(0, 3)"), "p").empty());
 }
 
+TEST(NpyParse, ReadsRays)
+{
+    const std::vector<std::array<float, 6>> expected{{1, 2, 3, 4, 5, 6}};
+    const std::string doubles = array_bytes<double>({1, 2, 3, 4, 5, 6});
+    EXPECT_EQ(parse_npy_rays(npy_header("<f8", "(1, 6)") + doubles, "r"), expected);
+    EXPECT_EQ(
+        message_of<FileError>([&] { parse_npy_rays(npy_header("<f8", "(2, 3)") + doubles, "r"); }),
+        "r: the shape (2, 3) is not accepted, only (N, 6)");
+}
+
 TEST(NpyParse, ReadsFortranOrder)
 {
     const std::vector<glm::vec3> expected{{1, 3, 5}, {2, 4, 6}};

@@ -104,6 +104,21 @@ constexpr BasicOption kCompare[] = {
     {"--json", "the counts as one JSON object"},
 };
 
+constexpr BasicOption kCast[] = {
+    {"SCENE", "a file, or builtin:torus|robots|wave"},
+    {"--rays", "the rays, (N, 6): origins and directions"},
+    {"--origins", "origins, (N, 3), with --directions in the place of --rays"},
+    {"--directions", "directions, (N, 3)"},
+    {"--output", "what the nearest hits are: t, triangle, uv, normal ..."},
+    {"--any", "only whether a ray hits anything"},
+    {"--count", "only how many triangles it hits"},
+    {"--all", "all hits of each ray in order"},
+    {"--skip", "a triangle that each ray does not hit"},
+    {"--tmax", "hits farther than this do not count"},
+    {"--time", "seconds of the animation; default its begin"},
+    {"--stats", "counts and times as a table"},
+};
+
 constexpr BasicOption kOcclusion[] = {
     {"SCENE", "a file, or builtin:torus|robots|wave"},
     {"--points", "the points, (N, 3)"},
@@ -165,6 +180,10 @@ constexpr auto kHelps = std::to_array<BasicHelp>({
         "  firsthit compare builtin:robots --against embree --time 5\n"
         "  firsthit compare builtin:robots --engine gpu --against cpu\n",
         kCompare},
+    {"cast", "cast SCENE --rays FILE.npy -o FILE.npz [OPTIONS]",
+        "  firsthit cast bunny.stl --rays rays.npy -o hits.npz\n"
+        "  firsthit cast bunny.stl --origins eye.npy --directions beams.npy -o scan.npz\n",
+        kCast},
     {"occlusion", "occlusion SCENE --points FILE.npy -o FILE.npy [OPTIONS]",
         "  firsthit occlusion bunny.stl --points p.npy --direction -1,-2,0.5 -o shade.npy\n"
         "  firsthit occlusion builtin:robots --points p.npy --light 9,16,7 -o dark.npy\n",

@@ -2,6 +2,7 @@
 #include "help/program.h"
 
 #include "bench/bench_command.h"
+#include "cast_command.h"
 #include "common/output.h"
 #include "common/terminal.h"
 #include "common/usage.h"
@@ -39,6 +40,7 @@ struct Program::Impl {
     VisibleOptions visible;
     CompareOptions compare;
     OcclusionOptions occlusion;
+    CastOptions cast;
     ViewOptions view;
     bench::BenchOptions bench;
     std::string topic, shell; // of help and completion
@@ -113,6 +115,10 @@ void Program::Impl::add_working_commands()
         "occlusion", "Find out which of given points the lights do not reach",
         [&](CLI::App& command) { add_occlusion_options(command, occlusion); },
         [&] { return run_occlusion(occlusion); });
+    add(
+        "cast", "Find out what any rays hit",
+        [&](CLI::App& command) { add_cast_options(command, cast); },
+        [&] { return run_cast(cast); });
     add(
         "bench", "Measure frames, beside a paper's numbers and other ray casters",
         [&](CLI::App& command) { add_bench_options(command, bench); },

@@ -30,6 +30,7 @@ from ._firsthit import (
     Light,
     Material,
     Occlusion,
+    RayCaster,
     Renderer,
     Scene,
     SceneBuilder,
@@ -61,6 +62,7 @@ from .cameras import (
 from .lights import directional, point, spot, sun
 from .masks import coco_masks, coco_rle
 from .points import occlusion, sky_light
+from .rays import all_hits, cast, count_hits, occluded
 from .rendering import hash_of, render, render_batch, visible
 from .scenes import load, posed
 
@@ -69,10 +71,11 @@ NO_ID = 0xFFFFFFFF
 
 __all__ = [
     "ArgumentError", "Camera", "Cancelled", "DeviceError", "Error", "FileError", "Frame", "Light", "Material",
-    "NO_ID", "Occlusion", "Renderer", "Scene", "SceneBuilder", "SceneError", "Sky", "World",
-    "camera_to_world_opencv", "camera_to_world_opengl", "coco_masks", "coco_rle", "compare", "directional",
-    "framing", "from_colmap", "from_gltf", "from_opencv", "hash_of", "instruction_set", "intrinsics", "load",
-    "look_at", "occlusion", "ortho", "point", "posed", "read_cameras", "render", "render_batch", "scene_camera", "sky_light",
+    "NO_ID", "Occlusion", "RayCaster", "Renderer", "Scene", "SceneBuilder", "SceneError", "Sky", "World", "all_hits",
+    "camera_to_world_opencv", "camera_to_world_opengl", "cast", "coco_masks", "coco_rle", "compare", "count_hits",
+    "directional", "framing", "from_colmap", "from_gltf", "from_opencv", "hash_of", "instruction_set", "intrinsics",
+    "load", "look_at", "occluded", "occlusion", "ortho", "point", "posed", "read_cameras", "render", "render_batch", "scene_camera",
+    "sky_light",
     "spot", "studio_sky", "sun", "sun_position", "turntable", "visible", "world_to_camera_opencv",
     "world_to_camera_opengl",
 ]

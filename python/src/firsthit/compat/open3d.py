@@ -1,4 +1,4 @@
-"""Open3D's RaycastingScene (0.16) for the rays of cameras.
+"""Open3D's RaycastingScene for any rays (0.16; list_intersections is of 0.17).
 
     scene = RaycastingScene()
     mesh_id = scene.add_triangles(vertices, triangles)
@@ -6,9 +6,9 @@
                                                width_px=640, height_px=480)
     scene.cast_rays(rays)["t_hit"]
 
-Arrays are NumPy's in the place of Open3D's tensors, which are taken too. Rays have to be those of a pinhole camera, one for
-each pixel, as create_rays_pinhole of Open3D or of this class makes them; other rays, occlusion tests and distances are not
-there.
+Arrays are NumPy's in the place of Open3D's tensors, which are taken too. Answers are exact (docs/rays.md): a ray through an edge
+that triangles share counts one of them, and one that starts exactly in a triangle's plane does not hit it. Closest points and
+distances are not there.
 """
 
 import math
@@ -16,8 +16,7 @@ import math
 import numpy as np
 
 from .. import _firsthit as _core
-from ..cameras import from_opencv
-from ..rendering import render
+from ..rays import all_hits, cast, count_hits, occluded
 from ._arrays import to_numpy
 
 
@@ -30,7 +29,7 @@ class RaycastingScene:
         self._meshes = []
         self._world = None
         self._first = None
-        self._renderer = _core.Renderer(nthreads)
+        self._caster = _core.RayCaster(nthreads)
 
     def add_triangles(self, vertex_positions, triangle_indices=None):
         """Adds a mesh: (V, 3) and (T, 3), or an Open3D TriangleMesh of either kind. Returns its id, from 0."""
@@ -62,32 +61,43 @@ class RaycastingScene:
                         "(fov_deg, center, eye, up, width_px, height_px)")
 
     def cast_rays(self, rays, nthreads=0):
-        """What each ray of a camera hits first: a dictionary of (H, W) and (H, W, k) arrays.
+        """What each ray (..., 6) hits first: a dictionary of (...) and (..., k) arrays.
 
         t_hit              float32, in lengths of the ray's direction; inf where nothing is hit
         geometry_ids       uint32, of add_triangles; INVALID_ID
         primitive_ids      uint32, triangle of the geometry; INVALID_ID
         primitive_uvs      float32, weights of corners 1 and 2; 0
         primitive_normals  float32, unit, by the order of the corners; 0
+
+        nthreads is taken, and means nothing: the class has its number.
         """
-        camera, along = camera_of_rays(rays)
-        world = self._posed()
-        frame = render(world, camera, ["depth", "item", "instance", "barycentric", "geometric_normal"],
-                       renderer=self._renderer)
-        item, geometry = frame["item"], frame["instance"]
-        seen = item != self.INVALID_ID
-        primitive = np.where(seen, item - self._first[np.where(seen, geometry, 0)], self.INVALID_ID)
-        normals = np.array(frame["geometric_normal"])
-        corners = world.positions[world.scene.triangles[item[seen]]].astype(np.float64)
-        ordered = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        normals[seen] *= np.where(np.einsum("ij,ij->i", ordered, normals[seen]) < 0, -1, 1)[:, None]
-        return {
-            "t_hit": frame["depth"] / np.float32(along),
-            "geometry_ids": np.array(geometry),
-            "primitive_ids": primitive.astype(np.uint32),
-            "primitive_uvs": np.array(frame["barycentric"]),
-            "primitive_normals": normals,
-        }
+        hits = cast(self._posed(), *_origins_and_directions(rays), caster=self._caster)
+        return {"t_hit": hits["t"], "geometry_ids": hits["instance"], "primitive_ids": self._primitives(hits),
+                "primitive_uvs": hits["uv"], "primitive_normals": hits["normal"]}
+
+    def test_occlusions(self, rays, tnear=0.0, tfar=math.inf, nthreads=0):
+        """Whether each ray hits anything with tnear <= t <= tfar: bool (...)."""
+        return occluded(self._posed(), *_origins_and_directions(rays), tmin=tnear, tmax=tfar, caster=self._caster)
+
+    def count_intersections(self, rays, nthreads=0):
+        """How many triangles each ray hits: int32 (...)."""
+        return count_hits(self._posed(), *_origins_and_directions(rays), caster=self._caster).astype(np.int32)
+
+    def list_intersections(self, rays, nthreads=0):
+        """All that each ray hits, ray by ray in the order of t: a dictionary of (H) and (H, 2) arrays.
+
+        ray_splits  uint32 (N + 1), of ray k are ray_splits[k] to ray_splits[k + 1] - 1; ray_ids uint32; t_hit,
+        geometry_ids, primitive_ids and primitive_uvs as of cast_rays
+        """
+        hits = all_hits(self._posed(), *_origins_and_directions(rays), caster=self._caster)
+        return {"ray_splits": hits["first"].astype(np.uint32), "ray_ids": hits["ray"].astype(np.uint32),
+                "t_hit": hits["t"], "geometry_ids": hits["instance"], "primitive_ids": self._primitives(hits),
+                "primitive_uvs": hits["uv"]}
+
+    def _primitives(self, hits):
+        seen = hits["triangle"] != self.INVALID_ID
+        first = self._first[np.where(seen, hits["instance"], 0)] if len(self._first) else 0
+        return np.where(seen, hits["triangle"] - first, self.INVALID_ID).astype(np.uint32)
 
     def _posed(self):
         if self._world is None:
@@ -104,44 +114,11 @@ class RaycastingScene:
         return self._world
 
 
-def camera_of_rays(rays):
-    """The Camera whose pixels have these rays, and how far each goes along the view axis in one length of its direction.
-
-    rays    (H, W, 6), at least 2 x 2: one origin, and directions that change evenly from pixel to pixel
-    throws  NotImplementedError: others
-    """
-    given = to_numpy(rays, np.float64)
-    if given.ndim != 3 or given.shape[2] != 6:
-        raise ValueError(f"rays: got {given.dtype} {given.shape}, wanted float32 (H, W, 6)")
-    height, width = given.shape[:2]
-    eye, direction = given[0, 0, :3], given[..., 3:]
-    refused = NotImplementedError("cast_rays: only the rays of a pinhole camera can be cast, one for each pixel of "
-                                  "(H, W, 6), at least 2 x 2, as create_rays_pinhole makes them")
-    if height < 2 or width < 2 or not np.isfinite(given).all() or np.abs(given[..., :3] - eye).max() > 1e-6 * max(
-            1.0, np.abs(eye).max()):
-        raise refused
-    # Directions are corner + x right + y down, by least squares over all pixels.
-    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
-    basis = np.stack([x, y, np.ones_like(x)], -1).reshape(-1, 3)
-    fit = np.linalg.lstsq(basis, direction.reshape(-1, 3), rcond=None)[0]
-    if np.abs(basis @ fit - direction.reshape(-1, 3)).max() > 1e-5 * np.abs(direction).max():
-        raise refused
-    right, down, corner = fit
-    forward = np.cross(right, down)
-    if not np.linalg.norm(forward) > 0:
-        raise refused
-    forward /= np.linalg.norm(forward)
-    along = corner @ forward
-    if not along > 0:
-        raise refused  # nothing in front, or mirrored
-    axis = right / np.linalg.norm(right)
-    turn = np.stack([axis, np.cross(forward, axis), forward])
-    k = np.linalg.inv(turn @ fit.T) * along  # pixels of directions
-    matrix = np.eye(4)
-    matrix[:3, :3] = turn
-    matrix[:3, 3] = -turn @ eye
-    k = np.triu(k / k[2, 2])
-    return from_opencv(k, matrix, (width, height), pixel_center=0.5), along
+def _origins_and_directions(rays):
+    given = to_numpy(rays)
+    if given.ndim < 1 or given.shape[-1] != 6 or given.dtype.kind not in "fiu":
+        raise ValueError(f"rays: got {given.dtype} {given.shape}, wanted float32 (..., 6)")
+    return given[..., :3], given[..., 3:]
 
 
 def _bound(args, names, wanted):

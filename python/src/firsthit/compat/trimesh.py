@@ -1,8 +1,16 @@
-"""Scenes of trimesh's meshes and scenes, taken by what they have: vertices, faces, visual, geometry, graph."""
+"""trimesh's meshes and scenes as scenes, and its ray queries.
+
+    mesh.ray = RayMeshIntersector(mesh)
+    locations, index_ray, index_tri = mesh.ray.intersects_location(origins, directions)
+
+Meshes and scenes are taken by what they have: vertices, faces, visual, geometry, graph. Answers to rays are exact (docs/rays.md);
+hits come ray by ray in the order of their distance, and a ray through an edge hits one of the faces that share it.
+"""
 
 import numpy as np
 
 from .. import _firsthit as _core
+from ..rays import all_hits, cast, occluded
 from ._arrays import to_numpy
 
 
@@ -26,6 +34,65 @@ def scene_of(source, *, smooth=False, material=None, name="trimesh", studio=None
             number, paint = _add(builder, mesh, f"mesh {k}", smooth, material)
             builder.add_instance(number, material=paint, name=f"mesh {k}")
     return builder.build(studio=studio)
+
+
+class RayMeshIntersector:
+    """What rays hit of a mesh: trimesh.ray's queries of that name, which a mesh has as mesh.ray."""
+
+    def __init__(self, geometry=None, **kwargs):
+        self.mesh = kwargs["mesh"] if geometry is None and "mesh" in kwargs else geometry
+        self._caster = _core.RayCaster()
+        self._made_of = self._world = None
+
+    def intersects_id(self, ray_origins, ray_directions, multiple_hits=True, max_hits=20, return_locations=False, **_):
+        """Faces and rays of all hits, or of the nearest of each ray: int64 (H), (H), and where asked their places, float64
+        (H, 3). max_hits: the nearest so many of each ray."""
+        tri, ray, places = self._hits(ray_origins, ray_directions, max_hits if multiple_hits else 1)
+        return (tri, ray, places) if return_locations else (tri, ray)
+
+    def intersects_location(self, ray_origins, ray_directions, multiple_hits=True, **_):
+        """Places (H, 3), rays (H) and faces (H) of all hits, or of the nearest of each ray."""
+        tri, ray, places = self._hits(ray_origins, ray_directions, None if multiple_hits else 1)
+        return places, ray, tri
+
+    def intersects_first(self, ray_origins, ray_directions, **_):
+        """The nearest face of each ray: int64 (N), -1 where nothing is hit."""
+        face = cast(self._posed(), ray_origins, ray_directions, caster=self._caster)["triangle"]
+        return np.where(face == 0xFFFFFFFF, -1, face.astype(np.int64))
+
+    def intersects_any(self, ray_origins, ray_directions, **_):
+        """Whether each ray hits anything: bool (N)."""
+        return occluded(self._posed(), ray_origins, ray_directions, caster=self._caster)
+
+    def contains_points(self, points):
+        """Whether points are inside of a closed mesh: bool (N)."""
+        points = to_numpy(points)
+        hits = all_hits(self._posed(), points, np.array([0.1, 0.9, 0.42]), caster=self._caster)
+        return np.diff(hits["first"]) % 2 == 1
+
+    def _hits(self, origins, directions, most):
+        origins, directions = to_numpy(origins, np.float64), to_numpy(directions, np.float64)
+        if most == 1:
+            hits = cast(self._posed(), origins, directions, caster=self._caster)
+            ray = np.flatnonzero(hits["triangle"] != 0xFFFFFFFF)
+            tri, t = hits["triangle"][ray], hits["t"][ray]
+        else:
+            hits = all_hits(self._posed(), origins, directions, caster=self._caster)
+            ray, tri, t = hits["ray"], hits["triangle"], hits["t"]
+            if most is not None:
+                kept = np.arange(len(ray)) - hits["first"][ray] < most
+                ray, tri, t = ray[kept], tri[kept], t[kept]
+        places = origins[ray] + t[:, None].astype(np.float64) * directions[ray]
+        return tri.astype(np.int64), ray.astype(np.int64), places
+
+    def _posed(self):
+        """The mesh as it is: made again where its arrays are other ones or have other numbers."""
+        vertices, faces = to_numpy(self.mesh.vertices), to_numpy(self.mesh.faces)
+        if self._world is None or not (np.array_equal(vertices, self._made_of[0]) and
+                                       np.array_equal(faces, self._made_of[1])):
+            self._made_of = vertices.copy(), faces.copy()
+            self._world = _core.Scene(vertices, faces, normals=np.tile([0.0, 0, 1], (len(vertices), 1))).pose()
+        return self._world
 
 
 def _add(builder, mesh, name, smooth, material):
