@@ -38,7 +38,7 @@ struct RayHitLists {
 /// throws  ArgumentError: a world that was not posed; a skip that is neither a triangle nor kNoItem
 ///         Cancelled: a stop was requested; results are incomplete
 ///
-/// source  docs/rays.md
+/// source  Wald 2007; Wald, Benthin and Boulos 2008; Ize 2013 (docs/sources.md)
 class RayCaster {
   public:
     /// threads  number of threads; 0: one for each core

@@ -110,3 +110,13 @@ def test_the_rays_of_a_picture(robots):
     assert same.sum() > 300
     distance = hits["t"] * np.linalg.norm(directions, axis=-1)
     assert np.allclose(distance[same], frame["distance"][same], rtol=1e-4)
+
+
+def test_a_scene_is_taken_as_it_begins(robots):
+    world = robots.pose(robots.begin)
+    low, high = world.bounds
+    rng = np.random.default_rng(3)
+    origins = rng.uniform(low, high, (300, 3))
+    rays = origins, rng.uniform(low, high, (300, 3)) - origins
+    assert fh.occluded(world, *rays).any()
+    assert np.array_equal(fh.cast(robots, *rays)["t"], fh.cast(world, *rays)["t"])

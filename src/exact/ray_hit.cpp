@@ -19,20 +19,30 @@ struct Bounded {
     double value, error;
 
     int sign() const { return value > error ? 1 : value < -error ? -1 : 0; } // 0: not certain
+    Bounded operator-() const { return {-value, error}; }
 };
 
-/// a . (b x c) of vectors whose coordinates have at most one rounding. A term has eight roundings: three of the
-/// vectors, a product, a difference, a product, two sums. Nothing under- or overflows: the coordinates are
-/// multiples of 2^-149 below 2^130.
-Bounded bounded_volume(const dvec3& a, const dvec3& b, const dvec3& c)
-{
-    const double xy = b.x * c.y, yx = b.y * c.x, yz = b.y * c.z, zy = b.z * c.y, zx = b.z * c.x,
-                 xz = b.x * c.z;
-    const double size = (std::abs(a.x) * (std::abs(yz) + std::abs(zy)) +
-                            std::abs(a.y) * (std::abs(zx) + std::abs(xz))) +
-                        std::abs(a.z) * (std::abs(xy) + std::abs(yx));
-    return {(a.x * (yz - zy) + a.y * (zx - xz)) + a.z * (xy - yx), 10 * kUlp * size};
-}
+/// b x c in double precision, with the sizes of its products. Coordinates of b and c have at most one rounding.
+struct PlainCross {
+    dvec3 n, size;
+
+    PlainCross(const dvec3& b, const dvec3& c)
+    {
+        const dvec3 plus(b.y * c.z, b.z * c.x, b.x * c.y), minus(b.z * c.y, b.x * c.z, b.y * c.x);
+        n = plus - minus;
+        size = glm::abs(plus) + glm::abs(minus);
+    }
+
+    /// a . (b x c), where coordinates of a have at most one rounding too. A term has eight roundings: three of the
+    /// vectors, a product, a difference, a product, two sums. Nothing under- or overflows: the coordinates are
+    /// multiples of 2^-149 below 2^130.
+    Bounded along(const dvec3& a) const
+    {
+        return {(a.x * n.x + a.y * n.y) + a.z * n.z,
+            10 * kUlp *
+                ((std::abs(a.x) * size.x + std::abs(a.y) * size.y) + std::abs(a.z) * size.z)};
+    }
+};
 
 dvec3 difference(const vec3& a, const vec3& b)
 {
@@ -41,18 +51,13 @@ dvec3 difference(const vec3& a, const vec3& b)
 
 Bounded bounded_edge(const Ray& ray, const vec3& a, const vec3& b)
 {
-    return bounded_volume(dvec3(ray.direction), difference(a, ray.origin), difference(b, a));
+    return PlainCross(difference(a, ray.origin), difference(b, a)).along(dvec3(ray.direction));
 }
 
-Bounded bounded_determinant(const Ray& ray, const Corners& c)
+/// N = (v1 - v0) x (v2 - v0)
+PlainCross plain_normal(const Corners& c)
 {
-    return bounded_volume(dvec3(ray.direction), difference(c[1], c[0]), difference(c[2], c[0]));
-}
-
-Bounded bounded_volume(const Ray& ray, const Corners& c)
-{
-    return bounded_volume(
-        difference(c[0], ray.origin), difference(c[1], c[0]), difference(c[2], c[0]));
+    return {difference(c[1], c[0]), difference(c[2], c[0])};
 }
 
 /// edge(a, b): (a - o) x (b - o) = a x b + b x o + o x a.
@@ -85,7 +90,7 @@ int exact_edge_sign(const Ray& ray, const vec3& a, const vec3& b)
 
 int volume_sign(const Ray& ray, const Corners& c, Effort& effort)
 {
-    if (const int sign = bounded_volume(ray, c).sign()) return sign;
+    if (const int sign = plain_normal(c).along(difference(c[0], ray.origin)).sign()) return sign;
     ++effort.exact_calls;
     return exact_volume(ray, c).sign();
 }
@@ -123,55 +128,29 @@ double largest_size(const dvec3& v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// A triangle's n = e1 x e2 from corner 0, with what bounds the error of its products.
-struct PlainNormal {
-    dvec3 e1, e2, n, size;
-
-    explicit PlainNormal(const Corners& c) : e1(difference(c[1], c[0])), e2(difference(c[2], c[0]))
-    {
-        const dvec3 plus(e1.y * e2.z, e1.z * e2.x, e1.x * e2.y),
-            minus(e1.z * e2.y, e1.x * e2.z, e1.y * e2.x);
-        n = plus - minus;
-        size = glm::abs(plus) + glm::abs(minus);
-    }
-
-    /// a . n, as bounded_volume has it.
-    Bounded along(const dvec3& a) const
-    {
-        return {(a.x * n.x + a.y * n.y) + a.z * n.z,
-            10 * kUlp *
-                ((std::abs(a.x) * size.x + std::abs(a.y) * size.y) + std::abs(a.z) * size.z)};
-    }
-
-    /// The unit normal, within a few units in the last place of float.
-    vec3 unit(const Corners& c) const
-    {
-        dvec3 m = n;
-        if (largest_size(n) < 0x1p-24 * largest_size(e1) * largest_size(e2)) { // digits cancel
-            const auto exact = [&](const vec3& axis) {
-                return exact_determinant(c, axis).estimate();
-            };
-            m = {exact({1, 0, 0}), exact({0, 1, 0}), exact({0, 0, 1})};
-        }
-        return vec3(m * (1 / std::sqrt(glm::dot(m, m)))); // squares are from 2^-596 to 2^404
-    }
-};
-
-/// Weights of corners 1 and 2, each NaN where double precision does not know it.
-std::array<float, 2> certain_weights(
-    const Ray& ray, const Corners& c, const CertainQuotients& quotient)
+/// The unit normal of the corners' order, within a few units in the last place of float.
+vec3 unit_normal(const Corners& c, const PlainCross& plain)
 {
-    return {quotient(bounded_edge(ray, c[2], c[0])), quotient(bounded_edge(ray, c[0], c[1]))};
+    dvec3 n = plain.n;
+    if (largest_size(n) < 0x1p-24 * largest_size(plain.size)) { // digits cancel
+        const auto exact = [&](const vec3& axis) { return exact_determinant(c, axis).estimate(); };
+        n = {exact({1, 0, 0}), exact({0, 1, 0}), exact({0, 0, 1})};
+    }
+    return vec3(n * (1 / std::sqrt(glm::dot(n, n)))); // squares are from 2^-596 to 2^404
 }
 
-std::array<float, 2> with_exact_weights(
-    const Ray& ray, const Corners& c, std::array<float, 2> certain)
+/// u and v of a hit, each rounded once.
+std::array<float, 2> weights(const Ray& ray, const Corners& c, const CertainQuotients& quotient)
 {
-    for (std::size_t k = 0; k < 2; ++k)
-        if (certain[k] != certain[k])
-            certain[k] = rounded_quotient(exact_edge(ray, c[k == 0 ? 2 : 0], c[k == 0 ? 0 : 1]),
-                exact_determinant(c, ray.direction));
-    return certain;
+    // edge(v0, v1) = d . (p x e1) = e1 . (d x p) with p = v0 - o, and edge(v2, v0) = -e2 . (d x p).
+    const PlainCross r(dvec3(ray.direction), difference(c[0], ray.origin));
+    std::array<float, 2> uv = {
+        quotient(-r.along(difference(c[2], c[0]))), quotient(r.along(difference(c[1], c[0])))};
+    if (uv[0] != uv[0])
+        uv[0] = rounded_quotient(exact_edge(ray, c[2], c[0]), exact_determinant(c, ray.direction));
+    if (uv[1] != uv[1])
+        uv[1] = rounded_quotient(exact_edge(ray, c[0], c[1]), exact_determinant(c, ray.direction));
+    return uv;
 }
 
 } // namespace
@@ -248,7 +227,9 @@ int compare_depth(const Ray& ray, const Corners& c, float t, Effort& effort)
 
 DepthInterval depth_interval(const Ray& ray, const Corners& c)
 {
-    const Bounded det = bounded_determinant(ray, c), volume = bounded_volume(ray, c);
+    const PlainCross normal = plain_normal(c);
+    const Bounded det = normal.along(dvec3(ray.direction)),
+                  volume = normal.along(difference(c[0], ray.origin));
     const double size = std::abs(det.value), height = std::abs(volume.value);
     if (!(det.error < 0.5 * size)) return {0, std::numeric_limits<double>::infinity()};
     constexpr double kSlack = 8 * kUlp;
@@ -258,22 +239,21 @@ DepthInterval depth_interval(const Ray& ray, const Corners& c)
 
 std::array<float, 2> rounded_barycentrics(const Ray& ray, const Corners& c)
 {
-    const CertainQuotients quotient(bounded_determinant(ray, c));
-    return with_exact_weights(ray, c, certain_weights(ray, c, quotient));
+    return weights(ray, c, CertainQuotients(plain_normal(c).along(dvec3(ray.direction))));
 }
 
 RayHit rounded_hit(const Ray& ray, const Corners& c)
 {
-    const PlainNormal normal(c);
+    const PlainCross normal = plain_normal(c);
     const CertainQuotients quotient(normal.along(dvec3(ray.direction)));
     RayHit hit;
     hit.t = quotient(normal.along(difference(c[0], ray.origin)));
     if (hit.t != hit.t)
         hit.t = rounded_quotient(exact_volume(ray, c), exact_determinant(c, ray.direction));
-    const auto [u, v] = with_exact_weights(ray, c, certain_weights(ray, c, quotient));
+    const auto [u, v] = weights(ray, c, quotient);
     hit.u = u;
     hit.v = v;
-    hit.normal = normal.unit(c);
+    hit.normal = unit_normal(c, normal);
     return hit;
 }
 

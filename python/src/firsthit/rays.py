@@ -35,7 +35,7 @@ class _Rays:
 
     def __init__(self, world: Union[_core.World, _core.Scene], origins: Array, directions: Array,
                  skip: Optional[Array], tmin: Array, tmax: Array) -> None:
-        self.world = world.pose() if isinstance(world, _core.Scene) else world
+        self.world = world.pose(world.begin) if isinstance(world, _core.Scene) else world
         origins, directions = _floats(origins, "origins"), _floats(directions, "directions")
         first, last = np.asarray(tmin, np.float32), np.asarray(tmax, np.float32)
         ids = None if skip is None else np.asarray(skip)

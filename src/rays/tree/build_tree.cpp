@@ -17,6 +17,8 @@ constexpr int kBins = 32;
 /// Below this depth ranges are halved, so that no tree is deeper than kDeepest.
 constexpr int kDeepByArea = 48;
 static_assert(kDeepByArea + 32 <= kDeepest);
+/// A leaf is split only if that lowers its cost to less than this share: half-empty leaves fill the caches.
+constexpr double kWorthSplitting = 0.7;
 
 struct TreeBox {
     vec3 low{std::numeric_limits<float>::infinity()}, high{-low};
@@ -144,7 +146,8 @@ class TreeBuilder {
         TreeBox middles;
         for (std::size_t k = range.first; k < range.last; ++k) middles.add(reference_[k].middle);
         const Split best = depth < kDeepByArea ? find_split(range, middles) : Split{};
-        if (range.count() <= kPerLeaf && !(best.cost < leaf_cost(range.box.area(), range.count())))
+        if (range.count() <= kPerLeaf &&
+            !(best.cost < kWorthSplitting * leaf_cost(range.box.area(), range.count())))
             return false;
         const auto begin = reference_.begin();
         auto place = begin + std::ptrdiff_t(range.first + range.count() / 2);

@@ -1,6 +1,7 @@
 // ray_tree.cpp - fits the boxes and corners of a RayTree to positions.
 #include "rays/tree/ray_tree.h"
 
+#include "base/large_pages.h"
 #include "exact/hit.h"
 #include "rays/tree/build_tree.h"
 
@@ -89,9 +90,10 @@ void RayTree::build(const WorldTriangles& triangles, Tasks& tasks)
 {
     ++all_builds;
     TreeTopology topology = build_topology(triangles);
-    node_ = std::move(topology.node);
+    resize_in_large_pages(node_, topology.node.size());
+    std::copy(topology.node.begin(), topology.node.end(), node_.begin());
     order_ = std::move(topology.order);
-    block_.resize(order_.size() / kPerLeaf);
+    resize_in_large_pages(block_, order_.size() / kPerLeaf);
     leaf_box_.resize(block_.size());
     fit(triangles, tasks);
     built_cost_ = cost();
