@@ -28,6 +28,7 @@ constexpr BasicOption kRender[] = {
     {"--turntable", "N frames of one turn around the scene"},
     {"--fps", "frames a second of a film; default as fast as the scene"},
     {"--resume", "leave frames out whose files are there"},
+    {"--chunk", "the I-th of N parts of the frames, for N machines: I/N"},
     {"--aov", "a plane: item, instance, depth, normal, ... (.npy, .exr)"},
     {"--exr", "one .exr file of the colours and all planes"},
     {"--manifest", "what ids of planes stand for, as JSON"},
@@ -127,6 +128,12 @@ constexpr BasicOption kBench[] = {
     {"--json", "the numbers as JSON"},
 };
 
+constexpr BasicOption kJoin[] = {
+    {"TILE", "x,y,width,height=FILE: a region and its file"},
+    {"--output", "the whole picture: .png, .exr or .npy, as the tiles"},
+    {"--size", "pixels that the tiles have to cover"},
+};
+
 constexpr auto kHelps = std::to_array<BasicHelp>({
     {"render", "render SCENE [-o FILE] [OPTIONS]",
         "  firsthit render builtin:torus -o torus.png\n"
@@ -148,6 +155,8 @@ constexpr auto kHelps = std::to_array<BasicHelp>({
         "  firsthit info walk.glb --json\n"
         "  firsthit info frames/%04d.obj --fps 30\n",
         kInfo},
+    {"join", "join TILE... -o FILE",
+        "  firsthit join 0,0,1280,360=top.png 0,360,1280,360=bottom.png -o room.png\n", kJoin},
     {"mask", "mask SCENE -o FILE [OPTIONS]",
         "  firsthit mask builtin:robots -o masks.json\n"
         "  firsthit mask town.glb -o masks.json --by node --picture town.png\n"

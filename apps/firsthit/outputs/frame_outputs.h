@@ -6,6 +6,7 @@
 #include "options/render_options.h"
 
 #include <optional>
+#include <vector>
 
 namespace firsthit::cli {
 
@@ -20,6 +21,10 @@ class FrameOutputs {
     /// frame  from 0
     bool are_there(std::size_t frame) const;
 
+    /// Which frames are to be made: those of --only and --chunk but for, with --resume, those that are there.
+    /// returns  (frames)
+    std::vector<bool> to_make() const;
+
     /// throws  FileError, DeviceError
     void write(const Film& film, std::size_t frame);
 
@@ -28,6 +33,7 @@ class FrameOutputs {
 
   private:
     void add_to_film(const Film& film);
+    PictureOptions how_to_write() const;
 
     const RenderOptions& options_;
     const Frames& frames_;
