@@ -28,7 +28,6 @@ constexpr BasicOption kRender[] = {
     {"--turntable", "N frames of one turn around the scene"},
     {"--fps", "frames a second of a film; default as fast as the scene"},
     {"--resume", "leave frames out whose files are there"},
-    {"--chunk", "the I-th of N parts of the frames, for N machines: I/N"},
     {"--aov", "a plane: item, instance, depth, normal, ... (.npy, .exr)"},
     {"--exr", "one .exr file of the colours and all planes"},
     {"--manifest", "what ids of planes stand for, as JSON"},
