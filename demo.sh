@@ -56,6 +56,8 @@ picture 'robots, exact' builtin:robots --frames 0:10:5 -o out/robots_%d.png
 picture 'robots, maps' builtin:robots --frames 0:10:5 -o out/robots_maps_%d.png --shadows map
 picture 'robots, a spot' builtin:robots --time 9 -o out/robots_spot.png --light spot:0,7,0,0,-1,0,90,60
 picture 'robots, a sun' builtin:robots --time 9 -o out/robots_sun.png --light directional:-1,-0.7,0.4
+picture 'room, 7 lights' builtin:room --frames 0:20:3 --size 960x640 -o out/room_%d.png
+picture 'room, maps' builtin:room --frames 0:20:3 --size 960x640 -o out/room_maps_%d.png --shadows map
 # On OpenGL, where there is one: Mesa's software driver will do.
 if "$firsthit" render builtin:torus --size 16x16 --engine gpu -o out/opengl.png 2>out/opengl.txt; then
     picture 'robots, hybrid' builtin:robots --frames 0:10:5 -o out/robots_hybrid_%d.png --engine hybrid

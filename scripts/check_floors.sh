@@ -22,7 +22,7 @@ list_files | xargs -0 -r awk '
 BEGIN {
     split("base:0 glsl:0 io:0 exact:1 scene:1 film:1 frame:1 samples:2 readers:3 visibility:2 rays:2 hits:3 irregular:3 material:3 shade:4 shadow:4 cpu:5 gl:5 baseline:6 render:7", pairs, " ")
     for (k in pairs) { split(pairs[k], pair, ":"); floor_of[pair[1]] = pair[2] + 0 }
-    split("animation camera_file environment error file file_pattern film film_data framing frame_control ground light material mesh normals npy npz picture ray scene scene_builder sequence stats sun texture view world", names, " ")
+    split("animation camera_file environment error file file_pattern film film_data framing frame_control ground join light material mesh normals npy npz picture ray scene scene_builder sequence stats sun texture view world", names, " ")
     for (k in names) is_data["firsthit/" names[k] ".h"] = 1
     text_room["models.glsl"] = "material" # made when the program runs, from src/material/models.h
     for (k = 1; k < ARGC; ++k) {

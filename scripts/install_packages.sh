@@ -8,7 +8,7 @@ build="git cmake ninja-build g++ libhwy-dev libglm-dev libembree-dev libpng-dev
     nlohmann-json3-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libjpeg-dev
     libepoxy-dev libegl1 libgl1 libgl1-mesa-dri libglfw3-dev libimgui-dev libboost-dev python3 python3-dev pybind11-dev
     python3-numpy python3-pytest"
-test="xvfb ffmpeg libgmp-dev"
+test="xvfb ffmpeg libgmp-dev make python3-distributed"
 wheel="python3-pip python3-venv python3-wheel python3-skbuild python3-pybind11 patchelf"
 ci="clang-format-14 clang-tidy-14 doxygen clang-14 libclang-rt-14-dev glslang-tools ffmpeg pkg-config"
 scenes="npm ca-certificates"

@@ -42,6 +42,7 @@ for way in "${ways[@]}"; do
     read -r engine shadows <<<"$way"
     hashes builtin:torus 0 "$engine" "$shadows"
     for time in 0 2.5 9; do hashes builtin:robots "$time" "$engine" "$shadows"; done
+    for time in 0 7.3; do hashes builtin:room "$time" "$engine" "$shadows"; done
     [ "$kind" = all ] || continue
     if [ -f scenes/bunny.stl ]; then hashes scenes/bunny.stl 0 "$engine" "$shadows"; fi
     robot=${FIRSTHIT_TEST_DATA:-}/bart/scene_robot/aff/Robot.aff

@@ -132,16 +132,29 @@ struct RenderRun {
     Settings settings;
 };
 
-/// Renders the frames one after the other and writes them. Frames whose files are there are only posed
-/// where others need that: the first one, which the camera frames, and one before a frame with motion.
+/// wanted  how many frames are to be made
+void say_what_is_left_out(const RenderOptions& options, const Frames& frames, std::size_t wanted)
+{
+    const std::vector<bool> part = frames_in_part(options.data.part, frames.number);
+    const auto in_part = std::size_t(std::count(part.begin(), part.end(), true));
+    if (options.data.part.any())
+        print_detail(fmt::format("{} of {} frames are this run's", in_part, frames.size()));
+    if (in_part > wanted)
+        print_detail(fmt::format("{} of {} frames were there already", in_part - wanted, in_part));
+}
+
+/// Renders the frames one after the other and writes them. Frames that are not to be made are only posed where
+/// others need that: the first one, which the camera frames, and one before a frame with motion.
 void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport& report)
 {
     const RenderOptions& options = run.options;
     const std::size_t count = run.frames.size();
     FrameOutputs files(options, run.frames);
-    const auto is_left_out = [&](std::size_t frame) {
-        return options.data.resume && files.are_there(frame);
-    };
+    // Asked once: while this process is at work, others may make frames too.
+    const std::vector<bool> to_make = files.to_make();
+    const auto wanted = std::size_t(std::count(to_make.begin(), to_make.end(), true));
+    say_what_is_left_out(options, run.frames, wanted);
+    if (wanted == 0) return;
     World world, before; // of this frame, and of the one before where motion is asked for
     double before_s = 0;
     Film film;
@@ -155,17 +168,12 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
     }
     const bool motion = wants_motion(run.settings);
     std::string said;
-    std::size_t left_out = 0;
-    Progress progress("frames", count);
+    Progress progress("frames", wanted);
     for (std::size_t frame = 0; frame < count; ++frame) {
         const Stopwatch total;
-        const bool skip = is_left_out(frame);
-        left_out += skip;
-        const bool needed = frame == 0 || (motion && frame + 1 < count && !is_left_out(frame + 1));
-        if (skip && !needed) {
-            progress.advance();
-            continue;
-        }
+        const bool skip = !to_make[frame];
+        const bool needed = frame == 0 || (motion && frame + 1 < count && to_make[frame + 1]);
+        if (skip && !needed) continue;
         run.pose.time_s = run.frames.time_s[frame];
         follow(run.source, options, run.pose.time_s, scene);
         if (before.scene && before.scene != scene &&
@@ -190,11 +198,9 @@ void render_frames(RenderRun& run, std::shared_ptr<const Scene> scene, RunReport
             run.settings.previous = {&before, view.camera};
             before_s = run.pose.time_s;
         }
-        progress.advance();
+        if (!skip) progress.advance();
     }
     files.finish();
-    if (left_out > 0)
-        print_detail(fmt::format("{} of {} frames were there already", left_out, count));
 }
 
 void write_manifest(const RenderOptions& options, const Scene& scene)
@@ -260,7 +266,10 @@ int run_render(const RenderOptions& given)
     print_detail(
         fmt::format("engine {}, {} threads, {}; {:.0f} MB of memory at most", report.engine,
             report.threads, report.instruction_set, double(report.peak_memory_bytes) / 1e6));
-    if (report.frames.empty()) return kExitDone; // all were there
+    if (report.frames.empty()) {
+        print_detail("nothing to do: no frame was left to make");
+        return kExitNothingToDo;
+    }
     warn_if_empty(options, report);
     warn_if_not_smooth(options, report);
     print_report(options, report);

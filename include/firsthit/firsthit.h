@@ -12,6 +12,7 @@
 #include <firsthit/film_data.h>
 #include <firsthit/frame_control.h>
 #include <firsthit/framing.h>
+#include <firsthit/join.h>
 #include <firsthit/material.h>
 #include <firsthit/normals.h>
 #include <firsthit/npy.h>

@@ -3,6 +3,7 @@
 
 #include <firsthit/film.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -16,6 +17,8 @@ namespace firsthit {
 struct PictureOptions {
     Tone tone{};          // of all but .exr
     bool dither = true;   // 8-bit colours are dithered: see write_picture
+    glm::ivec2 origin{0}; // column and row of the film's first pixel in the whole picture, by whose
+                          // pixels the pattern of dithering goes: 0 and above
     int quality = 95;     // of .jpg and .webp, 1 to 100; 100 makes .webp without loss
     std::string format{}; // an ending of picture_endings() that counts in the place of the path's
 };

@@ -143,7 +143,7 @@ struct LoadSettings {
 };
 
 /// Reads a scene: a file (.gltf .glb .fbx .dae .3mf .aff .nff .ply .stl .obj .off), or builtin:torus,
-/// builtin:robots, builtin:wave?n=N (N triangles, 2 to 10,000,000). Numbered files: see sequence.h. Large
+/// builtin:robots, builtin:room, builtin:wave?n=N (N triangles, 2 to 10,000,000). Numbered files: see sequence.h. Large
 /// .ply .stl .obj files are read by a thread for each core; the scene does not depend on their number.
 ///
 /// throws  FileError: missing, unreadable, malformed (names file and line or element); with `strict` also

@@ -1,5 +1,6 @@
 // exr_file.cpp - writes planes as OpenEXR.
 #include "io/output_file.h"
+#include "film/exr_stream.h"
 #include "film/picture_files.h"
 
 #include <firsthit/error.h>
@@ -7,7 +8,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <fmt/format.h>
 
@@ -16,27 +16,6 @@
 namespace firsthit {
 
 namespace {
-
-/// An output stream of OpenEXR that writes to an OutputFile.
-class ExrStream : public Imf::OStream {
-  public:
-    explicit ExrStream(OutputFile& file) : Imf::OStream(file.path().c_str()), file_(file) {}
-    void write(const char c[], int n) override { file_.write(c, static_cast<std::size_t>(n)); }
-    /// OpenEXR also calls this from a destructor, so errors are not thrown here but by the next
-    /// write.
-    std::uint64_t tellp() override
-    {
-        try {
-            return file_.tell();
-        } catch (const FileError&) {
-            return 0;
-        }
-    }
-    void seekp(std::uint64_t position) override { file_.seek(position); }
-
-  private:
-    OutputFile& file_;
-};
 
 void insert_slices(
     const PlaneView& plane, const std::vector<std::string>& names, Imf::FrameBuffer& buffer)

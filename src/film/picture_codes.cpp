@@ -59,6 +59,7 @@ const DitherTable& dither_table()
 }
 
 /// Codes of a row whose pixels take `channels` bytes.
+/// thresholds  of a row of the pattern, from that of the first pixel on
 void dither_row(std::span<const float> color, const std::array<float, kBayerSide>& thresholds,
     std::size_t channels, std::span<std::uint8_t> codes)
 {
@@ -97,7 +98,9 @@ void PictureCodes::row(int y, std::span<std::uint8_t> codes) const
     const std::size_t channels = alpha_.empty() ? 3 : 4;
     const std::span<const float> color =
         color_.value.subspan(static_cast<std::size_t>(y) * width * 3, width * 3);
-    const auto& thresholds = kBayer[unsigned(y) % kBayerSide];
+    std::array<float, kBayerSide> thresholds{};
+    for (int x = 0; x < int(kBayerSide); ++x)
+        thresholds[std::size_t(x)] = dither_threshold(origin_.x + x, origin_.y + y);
     const SrgbTable& table = srgb_table();
     if (!dither_ && alpha_.empty()) return table.codes(color, codes);
     if (dither_)

@@ -3,6 +3,8 @@
 
 #include "film/picture_files.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,12 +26,15 @@ float dither_threshold(int x, int y);
 /// Rows of RGB, or of RGBA where there is an alpha. Views what it was made of.
 class PictureCodes {
   public:
-    /// color  (height, width, 3), linear; straight where there is an alpha
-    /// alpha  (height, width), 0 to 1, or empty
-    PictureCodes(const PlaneView& color, std::span<const float> alpha, bool dither)
+    /// color   (height, width, 3), linear; straight where there is an alpha
+    /// alpha   (height, width), 0 to 1, or empty
+    /// origin  where its first pixel is in the whole picture, which the pattern of dithering goes by
+    PictureCodes(const PlaneView& color, std::span<const float> alpha, bool dither,
+        const glm::ivec2& origin = {0, 0})
         : color_(color),
           alpha_(alpha),
-          dither_(dither)
+          dither_(dither),
+          origin_(origin)
     {
     }
 
@@ -44,6 +49,7 @@ class PictureCodes {
     PlaneView color_;
     std::span<const float> alpha_;
     bool dither_;
+    glm::ivec2 origin_;
 };
 
 } // namespace firsthit

@@ -2,6 +2,7 @@
 #include "io/output_file.h"
 #include "film/picture_codes.h"
 #include "film/picture_files.h"
+#include "film/png_rows.h"
 
 #include <firsthit/error.h>
 
@@ -21,32 +22,16 @@ namespace {
 /// itself.
 struct PngWriter {
     OutputFile file;
-    const PictureCodes* colors = nullptr;
-    std::span<const std::uint16_t> grays; // (height, width), where there are no colours
-    int width, height;
-    int color_type = PNG_COLOR_TYPE_RGB;
+    const PngRows& rows;
     std::vector<std::uint8_t> row;
     png_structp png = nullptr;
     png_infop info = nullptr;
     char message[128] = "";
 
-    PngWriter(const PictureCodes& picture, const std::string& path)
+    PngWriter(const PngRows& picture, const std::string& path)
         : file(path),
-          colors(&picture),
-          width(picture.width()),
-          height(picture.height()),
-          color_type(picture.channels() == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB),
-          row(static_cast<std::size_t>(picture.width()) *
-              static_cast<std::size_t>(picture.channels()))
-    {
-    }
-    PngWriter(std::span<const std::uint16_t> values, int columns, int rows, const std::string& path)
-        : file(path),
-          grays(values),
-          width(columns),
-          height(rows),
-          color_type(PNG_COLOR_TYPE_GRAY),
-          row(2 * static_cast<std::size_t>(columns))
+          rows(picture),
+          row(picture.row_bytes)
     {
     }
     ~PngWriter() { png_destroy_write_struct(&png, &info); }
@@ -77,36 +62,24 @@ void write_bytes(png_structp png, png_bytep data, std::size_t bytes)
 
 void flush_nothing(png_structp) {}
 
-/// Fills the row's bytes: those of values of 16 bits begin with the upper one.
-void fill_row(PngWriter& writer, int y)
-{
-    if (writer.colors) return writer.colors->row(y, writer.row);
-    const auto width = static_cast<std::size_t>(writer.width);
-    for (std::size_t x = 0; x < width; ++x) {
-        const std::uint16_t value = writer.grays[static_cast<std::size_t>(y) * width + x];
-        writer.row[2 * x] = static_cast<std::uint8_t>(value >> 8);
-        writer.row[2 * x + 1] = static_cast<std::uint8_t>(value & 255);
-    }
-}
-
 /// Writes the picture. False if libpng failed; `message` has the reason.
 bool write_rows(PngWriter& writer)
 {
     png_structp png = writer.png;
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, &writer, write_bytes, flush_nothing);
-    png_set_IHDR(png, writer.info, static_cast<png_uint_32>(writer.width),
-        static_cast<png_uint_32>(writer.height), writer.colors ? 8 : 16, writer.color_type,
+    png_set_IHDR(png, writer.info, static_cast<png_uint_32>(writer.rows.width),
+        static_cast<png_uint_32>(writer.rows.height), writer.rows.bit_depth, writer.rows.color_type,
         PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (writer.colors) png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (writer.rows.is_srgb()) png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(png, 1);
     // Runs alone would be quicker, but the pattern of dithering makes files three times as large then.
     png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
     png_set_compression_buffer_size(png, 1 << 18);
     png_write_info(png, writer.info);
-    for (int y = 0; y < writer.height; ++y) {
-        fill_row(writer, y);
+    for (int y = 0; y < writer.rows.height; ++y) {
+        writer.rows.fill(y, writer.row);
         png_write_row(png, writer.row.data());
     }
     png_write_end(png, nullptr);
@@ -127,17 +100,49 @@ void write(PngWriter& writer)
 
 } // namespace
 
+bool PngRows::is_srgb() const
+{
+    return bit_depth == 8 && (color_type & PNG_COLOR_MASK_COLOR) != 0;
+}
+
+void write_png_rows(const PngRows& rows, const std::string& path)
+{
+    PngWriter writer(rows, path);
+    write(writer);
+}
+
 void write_png(const PictureCodes& picture, const std::string& path)
 {
-    PngWriter writer(picture, path);
-    write(writer);
+    const bool alpha = picture.channels() == 4;
+    write_png_rows(
+        {.width = picture.width(),
+            .height = picture.height(),
+            .color_type = alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+            .bit_depth = 8,
+            .row_bytes = static_cast<std::size_t>(picture.width()) *
+                         static_cast<std::size_t>(picture.channels()),
+            .fill = [&](int y, std::span<std::uint8_t> bytes) { picture.row(y, bytes); }},
+        path);
 }
 
 void write_gray_png(
     std::span<const std::uint16_t> value, int width, int height, const std::string& path)
 {
-    PngWriter writer(value, width, height, path);
-    write(writer);
+    const auto columns = static_cast<std::size_t>(width);
+    const auto fill = [&](int y, std::span<std::uint8_t> bytes) {
+        for (std::size_t x = 0; x < columns; ++x) {
+            const std::uint16_t gray = value[static_cast<std::size_t>(y) * columns + x];
+            bytes[2 * x] = static_cast<std::uint8_t>(gray >> 8);
+            bytes[2 * x + 1] = static_cast<std::uint8_t>(gray & 255);
+        }
+    };
+    write_png_rows({.width = width,
+                       .height = height,
+                       .color_type = PNG_COLOR_TYPE_GRAY,
+                       .bit_depth = 16,
+                       .row_bytes = 2 * columns,
+                       .fill = fill},
+        path);
 }
 
 } // namespace firsthit

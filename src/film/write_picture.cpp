@@ -106,7 +106,7 @@ void write_picture(const Film& film, const std::string& path, const PictureOptio
     if (options.tone.exposure_ev != 0 || options.tone.map != ToneMap::none)
         shown = toned(alpha.empty() ? film.color.value : shown, options.tone);
     if (!shown.empty()) plane.value = shown;
-    const PictureCodes picture(plane, alpha, options.dither);
+    const PictureCodes picture(plane, alpha, options.dither, options.origin);
     if (is_jpeg(ending)) return write_jpeg(picture, options.quality, path);
     if (ending == ".webp") return write_webp(picture, options.quality, path);
     write_png(picture, path);

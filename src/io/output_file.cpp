@@ -58,7 +58,7 @@ int write_all(int descriptor, std::string_view bytes)
     return 0;
 }
 
-/// A name that no other process or thread uses. It does not grow with the target's name, which may
+/// A name that no other process of this machine, nor thread, uses. It does not grow with the target's name, which may
 /// be as long as names can be.
 std::string temporary_name(const std::string& target)
 {
@@ -66,6 +66,9 @@ std::string temporary_name(const std::string& target)
     const std::string name = fmt::format(".firsthit-{}-{}.tmp", getpid(), counter++);
     return (fs::path(target).parent_path() / name).string();
 }
+
+/// How many temporary names are tried.
+constexpr int kMostNames = 10'000;
 
 /// The permissions of a file that is there, nothing of one that is not.
 std::optional<mode_t> permissions_of(const std::string& path)
@@ -120,11 +123,15 @@ OutputFile::OutputFile(const std::string& path)
     if (is_device(target_)) {
         descriptor = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
-        temporary_ = temporary_name(target_);
         // What nobody else may read is at no time open to others.
         const std::optional<mode_t> kept = permissions_of(target_);
-        descriptor =
-            open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kept.value_or(0666));
+        // On a shared disk, names may be those of another machine's process, or of one that was killed.
+        for (int attempt = 0; descriptor < 0 && attempt < kMostNames; ++attempt) {
+            temporary_ = temporary_name(target_);
+            descriptor = open(
+                temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kept.value_or(0666));
+            if (descriptor < 0 && errno != EEXIST) break;
+        }
         if (descriptor < 0) temporary_.clear();
         // Some file systems have no permissions to keep; the bytes matter more.
         else if (kept && fchmod(descriptor, *kept) != 0)

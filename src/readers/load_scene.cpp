@@ -41,7 +41,7 @@ Scene read_file(
         return read_mesh_file(path, settings, corners);
     throw FileError(fmt::format(
         "{}: unknown kind of file '{}'; accepted are .gltf, .glb, .fbx, .dae, .3mf, .aff, .nff, "
-        ".ply, .stl, .obj, .off, builtin:torus, builtin:robots, builtin:wave?n=N",
+        ".ply, .stl, .obj, .off, builtin:torus, builtin:robots, builtin:room, builtin:wave?n=N",
         name, printable(extension)));
 }
 

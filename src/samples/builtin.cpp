@@ -41,14 +41,14 @@ Scene make_builtin(std::string_view name)
     const bool has_parameters = mark != std::string_view::npos;
     if (base == "wave")
         return make_wave(has_parameters ? wave_parameter(name.substr(mark + 1)) : kDefaultWave);
-    if (base != "torus" && base != "robots")
+    if (base != "torus" && base != "robots" && base != "room")
         throw ArgumentError(fmt::format("builtin:{}: unknown; accepted are builtin:torus, "
-                                        "builtin:robots, builtin:wave?n=N",
+                                        "builtin:robots, builtin:room, builtin:wave?n=N",
             printable(name)));
     if (has_parameters)
         throw ArgumentError(
             fmt::format("builtin:{}: {} takes no parameters", printable(name), base));
-    return base == "torus" ? make_torus() : make_robots();
+    return base == "torus" ? make_torus() : base == "robots" ? make_robots() : make_room();
 }
 
 } // namespace firsthit

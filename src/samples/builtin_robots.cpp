@@ -2,7 +2,7 @@
 #include "samples/builtin.h"
 #include "samples/robots/robot.h"
 #include "samples/robots/robot_scene.h"
-#include "samples/robots/shapes.h"
+#include "samples/shapes.h"
 #include "samples/robots/tile_texture.h"
 #include "samples/robots/walk.h"
 

@@ -67,6 +67,7 @@ expect_files a.png b.png
 expect 0 '^.*triangles +1024$' info builtin:torus
 expect 0 '"triangles": 1024' info builtin:torus --json
 expect 0 'bounds' info builtin:robots
+expect 0 'lights +7: 6 point, 1 directional' info builtin:room
 expect 0 'ours wrong +0$' compare builtin:torus --against brute --size 32x32
 expect 0 '"ours_wrong": 0' compare builtin:torus --against brute --size 40x30 --json
 grep -q '"pixels": 1200,' stdout || fail "compare counts other pixels than 40x30"
@@ -74,6 +75,7 @@ expect 0 '"pixels": 512' compare builtin:torus --against brute --size 16x16 --fr
 [ ! -s stderr ] || fail "a progress bar in a pipe"
 
 expect 0 '"lit_ours_wrong": 0' compare builtin:robots --against brute --size 32x32 --shadows exact --json
+expect 0 '"lit_ours_wrong": 0' compare builtin:room --against brute --size 24x16 --time 7 --shadows exact --json
 # Where there is an OpenGL.
 if "$program" compare builtin:torus --against cpu --engine gpu --size 16x16 >stdout 2>stderr; then
     expect 0 'PSNR, same items' compare builtin:torus --against cpu --engine gpu --size 32x32

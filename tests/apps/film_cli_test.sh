@@ -44,7 +44,7 @@ expect 0 '3 of 5 frames were there' render builtin:robots --size 8x8 --frames 0-
 [ "$(cat n_01.png)" = x ] || fail "a frame that is there is rendered again"
 cp all/n_01.png .
 for file in all/*; do cmp -s "$file" "$(basename "$file")" || fail "resumed, $file is another one"; done
-expect 0 '' render builtin:robots --size 8x8 --frames 0-4 --resume -o n_%02d.png --stats
+expect 3 '' render builtin:robots --size 8x8 --frames 0-4 --resume -o n_%02d.png --stats
 expect 2 '--resume is of several frames' render "${small[@]}" --resume -o a.png
 expect 2 'a film is made at once' render "${small[@]}" --resume --turntable 3 -o a.mp4
 

@@ -129,10 +129,11 @@ void expect_same(const Differences& found, const std::string& what)
     EXPECT_LE(found.values, 8u) << what;
 }
 
-/// A cloth that every vertex moves of, two robots' worth of instances, and a still torus.
+/// A cloth that every vertex moves of, two robots' worth of instances, a still torus, and a room with seven lights.
 std::vector<std::pair<std::string, double>> scenes()
 {
-    return {{"builtin:torus", 0}, {"builtin:robots", 2.5}, {"builtin:wave?n=3000", 0.7}};
+    return {{"builtin:torus", 0}, {"builtin:robots", 2.5}, {"builtin:wave?n=3000", 0.7},
+        {"builtin:room", 5}};
 }
 
 class EmbreeBaselineTest : public testing::Test {

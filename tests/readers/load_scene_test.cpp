@@ -38,7 +38,7 @@ TEST(LoadScene, SaysThatAFileIsMissing)
 TEST(LoadScene, ListsTheBuiltinsForAnUnknownOne)
 {
     expect_in(load_error<ArgumentError>("builtin:teapot"),
-        "builtin:torus, builtin:robots, builtin:wave?n=N");
+        "builtin:torus, builtin:robots, builtin:room, builtin:wave?n=N");
     expect_in(load_error<ArgumentError>("builtin:torus?n=3"), "takes no parameters");
 }
 

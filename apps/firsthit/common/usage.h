@@ -14,5 +14,6 @@ class UsageError : public std::runtime_error {
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitFailed = 1;
 inline constexpr int kExitUsage = 2;
+inline constexpr int kExitNothingToDo = 3; // of render: no frame is left to make
 
 } // namespace firsthit::cli

@@ -7,7 +7,7 @@ namespace firsthit::cli {
 namespace {
 
 constexpr BasicOption kRender[] = {
-    {"SCENE", "a file (glTF, OBJ, PLY, STL, FBX, ...) or builtin:torus|robots|wave"},
+    {"SCENE", "a file (glTF, OBJ, PLY, STL, FBX, ...) or builtin:torus|robots|room|wave"},
     {"--output", "a picture (.png .jpg .webp .exr) or a film (.mp4 .webm .gif)"},
     {"--size", "pixels; default 1024x1024"},
     {"--view", "iso, front, back, left, right, top or bottom"},
@@ -38,7 +38,7 @@ constexpr BasicOption kRender[] = {
 };
 
 constexpr BasicOption kView[] = {
-    {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|room|wave"},
     {"--size", "pixels of the window; default 1280x720"},
     {"--engine", "cpu (the default, exact), hybrid, gpu or auto"},
     {"--shadows", "exact (the default), map, or none"},
@@ -55,7 +55,7 @@ constexpr BasicOption kView[] = {
 };
 
 constexpr BasicOption kInfo[] = {
-    {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, numbered files as f/%04d.obj, or builtin:torus|robots|room|wave"},
     {"--json", "all of it as one JSON object"},
     {"--fps", "of numbered files: frames a second; default 24"},
     {"--scene", "of a glTF file with several scenes: which"},
@@ -64,7 +64,7 @@ constexpr BasicOption kInfo[] = {
 };
 
 constexpr BasicOption kMask[] = {
-    {"SCENE", "a file, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, or builtin:torus|robots|room|wave"},
     {"--output", "the JSON file; - is standard output"},
     {"--by", "what gets a mask: instance (the default), node or material"},
     {"--picture", "the name of the picture that the file tells"},
@@ -81,7 +81,7 @@ constexpr BasicOption kMask[] = {
 };
 
 constexpr BasicOption kVisible[] = {
-    {"SCENE", "a file, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, or builtin:torus|robots|room|wave"},
     {"--output", "a .csv, .json or .npy file; default standard output"},
     {"--output-format", "csv, json or npy, whatever the file is called"},
     {"--size", "pixels; default 1024x1024"},
@@ -94,7 +94,7 @@ constexpr BasicOption kVisible[] = {
 };
 
 constexpr BasicOption kCompare[] = {
-    {"SCENE", "a file, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, or builtin:torus|robots|room|wave"},
     {"--against", "brute, embree or cpu: who says what is right"},
     {"--engine", "hybrid or gpu: the engine that is held against cpu"},
     {"--shadows", "exact: compare shadows too"},
@@ -120,7 +120,7 @@ constexpr BasicOption kCast[] = {
 };
 
 constexpr BasicOption kOcclusion[] = {
-    {"SCENE", "a file, or builtin:torus|robots|wave"},
+    {"SCENE", "a file, or builtin:torus|robots|room|wave"},
     {"--points", "the points, (N, 3)"},
     {"--output", "the answers: 1 occluded, 0 not"},
     {"--direction", "parallel light; the way that it goes; may be repeated"},
@@ -141,6 +141,12 @@ constexpr BasicOption kBench[] = {
     {"--quick", "a trial of a few seconds"},
     {"--output", "the folder of the page and its numbers"},
     {"--json", "the numbers as JSON"},
+};
+
+constexpr BasicOption kJoin[] = {
+    {"TILE", "x,y,width,height=FILE: a region and its file"},
+    {"--output", "the whole picture: .png, .exr or .npy, as the tiles"},
+    {"--size", "pixels that the tiles have to cover"},
 };
 
 constexpr auto kHelps = std::to_array<BasicHelp>({
@@ -165,6 +171,8 @@ constexpr auto kHelps = std::to_array<BasicHelp>({
         "  firsthit info walk.glb --json\n"
         "  firsthit info frames/%04d.obj --fps 30\n",
         kInfo},
+    {"join", "join TILE... -o FILE",
+        "  firsthit join 0,0,1280,360=top.png 0,360,1280,360=bottom.png -o room.png\n", kJoin},
     {"mask", "mask SCENE -o FILE [OPTIONS]",
         "  firsthit mask builtin:robots -o masks.json\n"
         "  firsthit mask town.glb -o masks.json --by node --picture town.png\n"

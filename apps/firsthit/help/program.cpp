@@ -13,6 +13,7 @@
 #include "help/man_page.h"
 #include "help/suggest.h"
 #include "info_command.h"
+#include "join_command.h"
 #include "mask_command.h"
 #include "occlusion_command.h"
 #include "render_command.h"
@@ -36,6 +37,7 @@ struct Program::Impl {
         "firsthit"};
     RenderOptions render;
     InfoOptions info;
+    JoinOptions join;
     MaskOptions mask;
     VisibleOptions visible;
     CompareOptions compare;
@@ -99,6 +101,10 @@ void Program::Impl::add_working_commands()
         "info", "Tell what is in a scene",
         [&](CLI::App& command) { add_info_options(command, info); },
         [&] { return run_info(info); });
+    add(
+        "join", "Put pictures of regions together",
+        [&](CLI::App& command) { add_join_options(command, join); },
+        [&] { return run_join(join); });
     add(
         "mask", "Write masks of what is seen, in the layout of COCO",
         [&](CLI::App& command) { add_mask_options(command, mask); },

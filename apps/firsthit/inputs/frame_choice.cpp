@@ -55,21 +55,6 @@ bool add_numbers(std::string_view text, std::vector<int>& numbers)
     return true;
 }
 
-/// The numbers of a list with commas, sorted, each once. Empty: it is no such list.
-std::vector<int> numbers_of(std::string_view text)
-{
-    std::vector<int> numbers;
-    for (;;) {
-        const std::size_t comma = text.find(',');
-        if (!add_numbers(text.substr(0, comma), numbers)) return {};
-        if (comma == std::string_view::npos) break;
-        text.remove_prefix(comma + 1);
-    }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
-}
-
 /// Frames a second of a clip that asks for a number of frames. A whole number, where the clip asks for so
 /// many frames because their number was rounded.
 double own_fps(int asked, double length_s)
@@ -104,6 +89,20 @@ Frames whole_clip(const Scene& scene, const PoseSettings& pose, const std::optio
 
 } // namespace
 
+std::vector<int> parse_frame_numbers(std::string_view text)
+{
+    std::vector<int> numbers;
+    for (;;) {
+        const std::size_t comma = text.find(',');
+        if (!add_numbers(text.substr(0, comma), numbers)) return {};
+        if (comma == std::string_view::npos) break;
+        text.remove_prefix(comma + 1);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
 FrameChoice parse_frame_choice(const std::string& text)
 {
     FrameChoice choice;
@@ -112,7 +111,7 @@ FrameChoice parse_frame_choice(const std::string& text)
     else if (text.find(':') != std::string::npos)
         choice.times = parse_frames(text);
     else
-        choice.numbers = numbers_of(text);
+        choice.numbers = parse_frame_numbers(text);
     if (!choice.several())
         throw UsageError(
             fmt::format("'{}' is no choice of frames: accepted are FIRST:LAST:COUNT, two times in "

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -39,6 +40,9 @@ struct Frames {
 /// "A:B:N" (parse_frames), "clip", or numbers of frames: "7", "10-20", "0-100/10", also several with
 /// commas between. throws  UsageError
 FrameChoice parse_frame_choice(const std::string& text);
+
+/// Numbers of frames, sorted, each once, as parse_frame_choice takes them. Empty: the text is no such list.
+std::vector<int> parse_frame_numbers(std::string_view text);
 
 /// --time, --frames. The two exclude each other.
 /// returns  the option --frames, for others to exclude

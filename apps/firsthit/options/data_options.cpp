@@ -58,6 +58,7 @@ void add_data_options(CLI::App& app, DataOptions& options)
            "What the ids of planes stand for, as JSON: instances, nodes and materials with their "
            "names, and a colour for each")
         ->type_name("FILE");
+    add_frame_part_options(app, options.part);
     app.add_flag("--resume,--skip-existing", options.resume,
         "Leave frames out whose files are all there: goes on with what was interrupted");
     app.add_flag("--dry-run", options.dry_run, "Say what would be rendered, and render nothing");

@@ -63,7 +63,8 @@ depth and distance also .png: 16 bit, millimetres where the unit is the metre, 0
 Planes are of the ray through the pixel's centre, never blended. Row 0 is the top.
 
 FIRSTHIT_ISA in the environment (AVX2, SSE4, ...) lowers the instruction set; results stay the same.
-Exit codes: 0 done, 1 failed, 2 wrong usage.)";
+Exit codes: 0 done, 1 failed, 2 wrong usage, 3 nothing to do: --only or
+--chunk leave no frame, or --resume finds the files of all that they leave.)";
 
 int parse_tile_size(const std::string& text)
 {
@@ -87,6 +88,11 @@ void check_patterns(const RenderOptions& options)
     }
     if (is_film(options) && options.data.resume)
         throw UsageError("a film is made at once: --resume is of numbered pictures");
+    if (is_film(options) && options.data.part.any())
+        throw UsageError("a film is made at once: --only and --chunk are of numbered pictures");
+    if (!is_numbered(options) && options.data.part.any())
+        throw UsageError("--only and --chunk are of several frames: say which with --frames or "
+                         "--turntable");
     if (!is_numbered(options) && options.data.resume)
         throw UsageError("--resume is of several frames: say which with --frames or --turntable");
     if (!options.data.manifest.empty() && looks_like_pattern(options.data.manifest))

@@ -50,7 +50,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options)
     app.add_option("SCENE", options.name,
            "A file (.gltf .glb .fbx .dae .3mf .aff .nff .ply .stl .obj .off), numbered files as "
            "frames/%04d.obj, "
-           "builtin:torus, builtin:robots, builtin:wave?n=N, or - for standard input (with "
+           "builtin:torus, builtin:robots, builtin:room, builtin:wave?n=N, or - for standard input "
+           "(with "
            "--format)")
         ->required();
     add_parsed(app, "--format", options.format, parse_scene_format, "KIND",

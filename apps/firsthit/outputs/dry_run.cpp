@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <vector>
 
 namespace firsthit::cli {
 namespace {
@@ -57,12 +59,15 @@ std::string dry_run_text(const RenderOptions& options, const Scene& scene, const
         line("file", files_text(options, name, frames));
     for (const std::string& name : {options.data.manifest, options.stats_json})
         if (!name.empty()) line("file", name);
+    const std::vector<bool> part = frames_in_part(options.data.part, frames.number);
+    const auto wanted = std::size_t(std::count(part.begin(), part.end(), true));
+    if (options.data.part.any()) line("part", fmt::format("{} of them", plural(wanted, "frame")));
     if (options.data.resume) {
         const FrameOutputs files(options, frames);
-        std::size_t there = 0;
-        for (std::size_t k = 0; k < frames.size(); ++k) there += files.are_there(k);
+        const std::vector<bool> left = files.to_make();
+        const auto there = wanted - std::size_t(std::count(left.begin(), left.end(), true));
         line("resume", fmt::format("{} are there already, {} would be rendered",
-                           plural(there, "frame"), frames.size() - there));
+                           plural(there, "frame"), wanted - there));
     }
     return text + "nothing was rendered (--dry-run)\n";
 }

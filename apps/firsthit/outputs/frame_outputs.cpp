@@ -32,6 +32,15 @@ bool FrameOutputs::are_there(std::size_t frame) const
     });
 }
 
+std::vector<bool> FrameOutputs::to_make() const
+{
+    std::vector<bool> wanted = frames_in_part(options_.data.part, frames_.number);
+    if (!options_.data.resume) return wanted;
+    for (std::size_t frame = 0; frame < wanted.size(); ++frame)
+        if (wanted[frame] && are_there(frame)) wanted[frame] = false;
+    return wanted;
+}
+
 FrameOutputs::~FrameOutputs()
 {
     if (written_.valid()) written_.wait();
@@ -68,8 +77,7 @@ void FrameOutputs::write_now(const Film& film, std::size_t frame)
     if (is_film(options_))
         add_to_film(film);
     else if (!options_.output.empty())
-        write_picture(film, name_of(options_.output),
-            picture_options(options_.picture, options_.environment.tone, options_.output));
+        write_picture(film, name_of(options_.output), how_to_write());
     std::vector<std::string> warnings;
     for (const AovOutput& aov : options_.aovs) {
         const std::string name = name_of(aov.path);
@@ -86,6 +94,14 @@ void FrameOutputs::write_now(const Film& film, std::size_t frame)
     const DataOptions& data = options_.data;
     if (!data.exr.empty() && data.planes)
         write_planes(film, data.planes->color, data.planes->aovs, name_of(data.exr));
+}
+
+PictureOptions FrameOutputs::how_to_write() const
+{
+    PictureOptions how =
+        picture_options(options_.picture, options_.environment.tone, options_.output);
+    how.origin = {options_.camera.region.x, options_.camera.region.y};
+    return how;
 }
 
 void FrameOutputs::finish()

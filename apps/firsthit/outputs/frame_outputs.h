@@ -7,6 +7,7 @@
 
 #include <future>
 #include <optional>
+#include <vector>
 
 namespace firsthit::cli {
 
@@ -29,6 +30,10 @@ class FrameOutputs {
     /// frame  from 0
     bool are_there(std::size_t frame) const;
 
+    /// Which frames are to be made: those of --only and --chunk but for, with --resume, those that are there.
+    /// returns  (frames)
+    std::vector<bool> to_make() const;
+
     /// Writes a frame, or begins to. Waits for the frame before.
     ///
     /// film    of the frame; of several frames it gets the memory of an earlier one in exchange
@@ -43,6 +48,7 @@ class FrameOutputs {
     void write_now(const Film& film, std::size_t frame);
     void wait();
     void add_to_film(const Film& film);
+    PictureOptions how_to_write() const;
 
     const RenderOptions& options_;
     const Frames& frames_;

@@ -1,7 +1,7 @@
 // robot_scene.h - puts shapes, and nodes that walk, into a scene.
 #pragma once
 
-#include "samples/robots/shapes.h"
+#include "samples/shapes.h"
 #include "scene/animate/track.h"
 
 #include <firsthit/scene_builder.h>

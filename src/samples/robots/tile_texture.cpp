@@ -2,8 +2,9 @@
 #include "samples/robots/tile_texture.h"
 
 #include "base/srgb.h"
+#include "samples/noise.h"
 
-#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -18,43 +19,14 @@ constexpr int kTiles = 8;         // on a side
 constexpr int kTile = kTextureSize / kTiles;
 constexpr int kGrout = 3; // texels between tiles
 
-/// 0 to 1, the same for the same place; after Wang 1997, "Integer Hash Function".
-float noise_at(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
-{
-    std::uint32_t h = x * 0x8DA6B343u + y * 0xD8163841u + seed * 0xCB1AB31Fu;
-    h = (h ^ 61u) ^ (h >> 16);
-    h *= 9u;
-    h ^= h >> 4;
-    h *= 0x27D4EB2Du;
-    h ^= h >> 15;
-    return static_cast<float>(h & 0xFFFFu) / 65535.0f;
-}
-
-/// Smooth noise with `cells` cells on a side, which repeats.
-float smooth_noise(int x, int y, int cells, std::uint32_t seed)
-{
-    const float cell = static_cast<float>(kTextureSize) / static_cast<float>(cells);
-    const float fx = static_cast<float>(x) / cell;
-    const float fy = static_cast<float>(y) / cell;
-    const auto ix = static_cast<std::uint32_t>(fx);
-    const auto iy = static_cast<std::uint32_t>(fy);
-    const auto n = static_cast<std::uint32_t>(cells);
-    const auto at = [&](std::uint32_t dx, std::uint32_t dy) {
-        return noise_at((ix + dx) % n, (iy + dy) % n, seed);
-    };
-    const auto ease = [](float t) { return t * t * (3.0f - 2.0f * t); };
-    const float u = ease(fx - static_cast<float>(ix));
-    const float v = ease(fy - static_cast<float>(iy));
-    return glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
-}
-
 /// Linear colour of a texel.
 glm::vec3 color_at(int x, int y)
 {
     const int in_x = x % kTile;
     const int in_y = y % kTile;
+    const glm::vec2 place = glm::vec2(x, y) / static_cast<float>(kTextureSize);
     const float clouds =
-        0.6f * smooth_noise(x, y, 16, 1) + 0.3f * smooth_noise(x, y, 64, 2) +
+        0.6f * smooth_noise(place, {16, 16}, 1) + 0.3f * smooth_noise(place, {64, 64}, 2) +
         0.1f * noise_at(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 3);
     const int edge = std::min({in_x, in_y, kTile - 1 - in_x, kTile - 1 - in_y});
     if (2 * edge < kGrout) return glm::vec3(0.16f, 0.15f, 0.14f) * (0.8f + 0.3f * clouds);

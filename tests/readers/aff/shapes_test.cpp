@@ -1,6 +1,6 @@
 // shapes_test.cpp - the solids that robots are made of are closed and look outwards.
 #include "readers/mesh/weld.h"
-#include "samples/robots/shapes.h"
+#include "samples/shapes.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -75,6 +75,15 @@ void add_robots(const BenchOptions& options, std::vector<BaselineScene>& scenes)
     }
 }
 
+/// A furnished room through which a toy drives: with one lamp, as the other scenes are measured, and with
+/// its six lamps and the sun.
+void add_room(std::vector<BaselineScene>& scenes)
+{
+    constexpr double kTime_s = 5;
+    scenes.push_back(baseline_scene("room, t = 5", load_scene("builtin:room"), kTime_s));
+    scenes.push_back(lit_scene("room, t = 5, 7 lights", load_scene("builtin:room"), kTime_s));
+}
+
 } // namespace
 
 bool BaselineScene::moves() const
@@ -104,6 +113,11 @@ View BaselineScene::view(const World& world, const Size& size) const
 BaselineScene baseline_scene(std::string name, Scene scene, double time_s)
 {
     leave_one_light(scene);
+    return lit_scene(std::move(name), std::move(scene), time_s);
+}
+
+BaselineScene lit_scene(std::string name, Scene scene, double time_s)
+{
     BaselineScene made{.name = std::move(name),
         .scene = std::make_shared<const Scene>(std::move(scene)),
         .time_s = time_s};
@@ -125,6 +139,7 @@ std::vector<BaselineScene> baseline_scenes(const BenchOptions& options)
     }
     add_bunny(options, scenes);
     add_robots(options, scenes);
+    add_room(scenes);
     const std::string dragon = fetched_scene(options, "dragon.ply");
     if (dragon.empty())
         scenes.push_back(asked(missing("dragon", options, "dragon.ply"), 4, 3));

@@ -12,7 +12,7 @@
 
 namespace firsthit::cli::bench {
 
-/// A scene around one time, with one light.
+/// A scene around one time, mostly with one light.
 struct BaselineScene {
     std::string name;
     std::shared_ptr<const Scene> scene; // null: it is missing
@@ -32,8 +32,10 @@ inline constexpr double kFrameTime_s = 1.0 / 30;
 
 /// One with a name; its other lights are left out.
 BaselineScene baseline_scene(std::string name, Scene scene, double time_s = 0);
+/// One with a name and all its lights.
+BaselineScene lit_scene(std::string name, Scene scene, double time_s = 0);
 
-/// Torus, bunny, twisting bunny, robots, dragon, wave: those of --quick are small ones.
+/// Torus, bunny, twisting bunny, robots, room, dragon, wave: those of --quick are small ones.
 /// throws  as load_scene of the robots' file
 std::vector<BaselineScene> baseline_scenes(const BenchOptions& options);
 

@@ -48,6 +48,9 @@ void add_ellipsoid(Shape& shape, const glm::dvec3& radius, int segments,
 void add_rounded_box(Shape& shape, const glm::dvec3& half, double rounding, int segments,
     const glm::dmat4& shape_from_solid = glm::dmat4(1), double taper = 1.0);
 
+/// Adds a triangle of vertices that are there, unless it has no area (at poles and creases).
+void add_triangle(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
 /// Moves, for the arguments above.
 glm::dmat4 moved(double x, double y, double z);
 /// Moves, and turns around an axis before.

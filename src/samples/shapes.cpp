@@ -1,5 +1,7 @@
 // shapes.cpp - rounded solids, made of triangles with smooth normals.
-#include "samples/robots/shapes.h"
+#include "samples/shapes.h"
+
+#include "samples/trigonometry.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,15 +18,6 @@ void add_vertex(
 {
     shape.position.emplace_back(shape_from_solid * glm::dvec4(p, 1));
     shape.normal.emplace_back(glm::normalize(glm::dmat3(shape_from_solid) * n));
-}
-
-/// Leaves out triangles with two corners in one place (at poles and creases).
-void add_triangle(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c)
-{
-    const glm::dvec3 pa(shape.position[a]);
-    const glm::dvec3 pb(shape.position[b]);
-    const glm::dvec3 pc(shape.position[c]);
-    if (glm::length(glm::cross(pb - pa, pc - pa)) > 1e-9) shape.index.emplace_back(a, b, c);
 }
 
 /// Joins the vertices of a grid, rows from the top to the bottom, columns counter-clockwise seen
@@ -46,7 +39,7 @@ void join_grid(Shape& shape, std::uint32_t first, std::uint32_t rows, std::uint3
 /// The direction at an angle around y, counter-clockwise seen from above.
 glm::dvec3 around(double angle)
 {
-    return {std::cos(angle), 0, -std::sin(angle)};
+    return {cosine(angle), 0, -sine(angle)};
 }
 
 glm::dvec2 outward(const Outline& a, const Outline& b)
@@ -58,6 +51,14 @@ glm::dvec2 outward(const Outline& a, const Outline& b)
 
 } // namespace
 
+void add_triangle(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+{
+    const glm::dvec3 pa(shape.position[a]);
+    const glm::dvec3 pb(shape.position[b]);
+    const glm::dvec3 pc(shape.position[c]);
+    if (glm::length(glm::cross(pb - pa, pc - pa)) > 1e-9) shape.index.emplace_back(a, b, c);
+}
+
 glm::dmat4 moved(double x, double y, double z)
 {
     return glm::translate(glm::dmat4(1), glm::dvec3(x, y, z));
@@ -65,7 +66,16 @@ glm::dmat4 moved(double x, double y, double z)
 
 glm::dmat4 moved(double x, double y, double z, const glm::dvec3& axis, double angle_rad)
 {
-    return glm::rotate(moved(x, y, z), angle_rad, axis);
+    const auto [s, c] = sine_cosine(angle_rad);
+    const glm::dvec3 n = glm::normalize(axis);
+    glm::dmat3 turn(1);
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 unit = turn[k];
+        turn[k] = c * unit + s * glm::cross(n, unit) + (1 - c) * n[k] * n;
+    }
+    glm::dmat4 result(turn);
+    result[3] = glm::dvec4(x, y, z, 1);
+    return result;
 }
 
 void add_lathe(Shape& shape, std::span<const Outline> outline, int segments,
@@ -95,8 +105,8 @@ void add_ellipsoid(
     const int rows = std::max(2, segments / 2);
     for (int r = 0; r <= rows; ++r) {
         // Exactly zero at the poles, where sin(pi) is not.
-        const double ring = r == 0 || r == rows ? 0.0 : std::sin(std::numbers::pi * r / rows);
-        const double y = std::cos(std::numbers::pi * r / rows);
+        const double ring = r == 0 || r == rows ? 0.0 : sine(std::numbers::pi * r / rows);
+        const double y = cosine(std::numbers::pi * r / rows);
         for (int s = 0; s < segments; ++s) {
             const glm::dvec3 n =
                 around(2 * std::numbers::pi * s / segments) * ring + glm::dvec3(0, y, 0);
@@ -117,12 +127,12 @@ void add_rounded_box(Shape& shape, const glm::dvec3& half, double rounding, int 
         for (int r = 0; r <= segments; ++r) {
             const double step = static_cast<double>(r) / segments;
             const double tilt = std::numbers::pi / 2 * (top > 0 ? step : 1 + step);
-            const double y = std::cos(tilt);
+            const double y = cosine(tilt);
             for (int quarter = 0; quarter < 4; ++quarter)
                 for (int s = 0; s <= segments; ++s) {
                     const double turn =
                         std::numbers::pi / 2 * (quarter + static_cast<double>(s) / segments);
-                    const glm::dvec3 n = around(turn) * std::sin(tilt) + glm::dvec3(0, y, 0);
+                    const glm::dvec3 n = around(turn) * sine(tilt) + glm::dvec3(0, y, 0);
                     const glm::dvec3 corner = around(std::numbers::pi / 2 * (quarter + 0.5));
                     const glm::dvec3 sign(corner.x > 0 ? 1 : -1, top, corner.z > 0 ? 1 : -1);
                     glm::dvec3 p = n * rounding + sign * inner;
