@@ -5,8 +5,8 @@ if grep -q "built without a window" <<<"$(DISPLAY= WAYLAND_DISPLAY= "$program" v
     echo "skipped: this firsthit was built without a window"
     exit 77
 fi
-# The server chooses a free display and tells it.
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>display.txt 2>xvfb.txt &
+# The server chooses a free display and tells it. It is not reset between two programs, when it would hear neither.
+Xvfb -displayfd 3 -noreset -screen 0 1280x1024x24 -nolisten tcp 3>display.txt 2>xvfb.txt &
 server=$!
 trap 'kill $server 2>/dev/null; rm -rf "$folder"' EXIT
 for _ in $(seq 100); do
