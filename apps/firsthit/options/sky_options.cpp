@@ -81,9 +81,8 @@ void apply_studio(const SkyOptions& options, Scene& scene)
 
 void apply(const SkyOptions& options, bool studio, Settings& settings)
 {
-    settings.sky = {};
-    if (studio ? !has_sky(options) : !options.sky) return;
-    if (studio) settings.sky = studio_sky();
+    // Also where there is none: whoever turns it on later, as in the window, gets the one of --sky.
+    settings.sky = studio ? studio_sky() : Sky{};
     if (!studio) settings.sky.color = glm::vec3(kAddedSky);
     if (options.sky) {
         settings.sky.directions = options.sky->directions;
@@ -91,6 +90,7 @@ void apply(const SkyOptions& options, bool studio, Settings& settings)
     }
     if (!studio || (options.sky && options.sky->color))
         settings.sky.ground = kGroundShare * settings.sky.color;
+    if (studio ? !has_sky(options) : !options.sky) settings.sky.directions = 0;
 }
 
 } // namespace firsthit::cli
