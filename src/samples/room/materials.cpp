@@ -1,7 +1,7 @@
 // materials.cpp - what the room's things are made of.
 #include "samples/room/materials.h"
 
-#include "samples/room/textures.h"
+#include "samples/room/textures/textures.h"
 
 #include <string>
 #include <utility>

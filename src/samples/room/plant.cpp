@@ -1,6 +1,6 @@
 // plant.cpp - the plant in the corner: a pot, stems and leaves on stalks.
 #include "samples/room/furniture.h"
-#include "samples/room/painted_texture.h"
+#include "samples/room/textures/painted_texture.h"
 #include "samples/room/swept.h"
 #include "samples/trigonometry.h"
 

@@ -1,8 +1,8 @@
 // shelf.cpp - the shelf at the wall and the books in it.
 #include "samples/room/furniture.h"
-#include "samples/room/painted_texture.h"
+#include "samples/room/textures/painted_texture.h"
 #include "samples/room/swept.h"
-#include "samples/room/textures.h"
+#include "samples/room/textures/textures.h"
 
 #include <glm/matrix.hpp>
 

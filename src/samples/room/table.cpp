@@ -1,6 +1,6 @@
 // table.cpp - the table and the rug under it.
 #include "samples/room/furniture.h"
-#include "samples/room/painted_texture.h"
+#include "samples/room/textures/painted_texture.h"
 #include "samples/room/swept.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // painted_texture.cpp - a texture whose texels a function gives.
-#include "samples/room/painted_texture.h"
+#include "samples/room/textures/painted_texture.h"
 
 #include "base/srgb.h"
 #include "samples/noise.h"

@@ -1,8 +1,8 @@
-// textures.cpp - floor, wood, plaster and cloth.
-#include "samples/room/textures.h"
+// surfaces.cpp - floor, wood, plaster and cloth.
+#include "samples/room/textures/textures.h"
 
 #include "samples/noise.h"
-#include "samples/room/painted_texture.h"
+#include "samples/room/textures/painted_texture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // painted_things.cpp - textures that are pictures: rug, bindings of books, painting and print.
 #include "samples/noise.h"
-#include "samples/room/painted_texture.h"
-#include "samples/room/textures.h"
+#include "samples/room/textures/painted_texture.h"
+#include "samples/room/textures/textures.h"
 
 #include <glm/common.hpp>
 
