@@ -38,7 +38,7 @@ void add_volume(Expansion<N>& sum, const glm::vec3& a, const glm::vec3& b, const
 }
 
 /// v0 . (v1 x v2)
-inline Expansion<12> exact_volume(const Corners& c)
+inline Expansion<12> volume_expansion(const Corners& c)
 {
     Expansion<12> sum;
     add_volume(sum, c[1], c[2], c[0]);
@@ -47,7 +47,7 @@ inline Expansion<12> exact_volume(const Corners& c)
 }
 
 /// N . d with N = (v1 - v0) x (v2 - v0), which equals the sum of the three edge functions.
-inline Expansion<36> exact_determinant(const Corners& c, const glm::vec3& d)
+inline Expansion<36> determinant_expansion(const Corners& c, const glm::vec3& d)
 {
     Expansion<36> sum;
     add_volume(sum, c[0], c[1], d);

@@ -93,8 +93,8 @@ int compare_depth(const Corners& a, const Corners& b, const vec3& d, Effort& eff
     if (same_points(a, b)) return 0;
 
     ++effort.exact_calls;
-    const auto det_a = exact_determinant(a, d), det_b = exact_determinant(b, d);
-    const auto volume_a = exact_volume(a), volume_b = exact_volume(b);
+    const auto det_a = determinant_expansion(a, d), det_b = determinant_expansion(b, d);
+    const auto volume_a = volume_expansion(a), volume_b = volume_expansion(b);
     // Compressed, a determinant of floats within a few octaves has only two or three components.
     Expansion<2 * 2 * 36 * 12> sum;
     sum.add_product(det_a, volume_b, double(volume_b.sign() * det_a.sign()));
@@ -107,8 +107,8 @@ bool are_coplanar(const Corners& a, const Corners& b)
     if (same_points(a, b)) return true;
     for (const vec3& p : b) {
         Expansion<48> height; // N . p - N . v0, N . v0 = volume
-        height.add(exact_determinant(a, p));
-        const auto base = exact_volume(a);
+        height.add(determinant_expansion(a, p));
+        const auto base = volume_expansion(a);
         for (int i = 0; i < base.size(); ++i) height.add(-base[i]);
         if (height.sign() != 0) return false;
     }
@@ -123,7 +123,7 @@ double hit_depth(const Corners& c, const vec3& d)
 
 double exact_inverse_depth(const Corners& c, const vec3& d)
 {
-    return std::abs(exact_determinant(c, d).estimate() / exact_volume(c).estimate());
+    return std::abs(determinant_expansion(c, d).estimate() / volume_expansion(c).estimate());
 }
 
 std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
@@ -131,7 +131,7 @@ std::array<double, 2> exact_barycentrics(const Corners& c, const vec3& d)
     Expansion<12> opposite1, opposite2;
     add_volume(opposite1, c[2], c[0], d);
     add_volume(opposite2, c[0], c[1], d);
-    const double det = exact_determinant(c, d).estimate();
+    const double det = determinant_expansion(c, d).estimate();
     return {opposite1.estimate() / det, opposite2.estimate() / det};
 }
 
@@ -153,7 +153,7 @@ std::array<float, 2> rounded_barycentrics(const Corners& c, const vec3& d)
         if (certain && low == high && low >= kLeastWeight) return low;
         Expansion<12> exact;
         add_volume(exact, c[std::size_t((k + 1) % 3)], c[std::size_t((k + 2) % 3)], d);
-        return rounded_quotient(exact, exact_determinant(c, d));
+        return rounded_quotient(exact, determinant_expansion(c, d));
     };
     return {rounded(1), rounded(2)};
 }

@@ -63,11 +63,11 @@ PlainCross plain_normal(const Corners& c)
 /// edge(a, b): (a - o) x (b - o) = a x b + b x o + o x a.
 Expansion<36> exact_edge(const Ray& ray, const vec3& a, const vec3& b)
 {
-    return exact_determinant({a, b, ray.origin}, ray.direction);
+    return determinant_expansion({a, b, ray.origin}, ray.direction);
 }
 
 /// (v0 - o) . N
-Expansion<48> exact_volume(const Ray& ray, const Corners& c)
+Expansion<48> volume_expansion(const Ray& ray, const Corners& c)
 {
     const vec3 back = -ray.origin;
     Expansion<48> sum;
@@ -84,7 +84,7 @@ int exact_edge_sign(const Ray& ray, const vec3& a, const vec3& b)
     if (const int sign = exact_edge(ray, a, b).sign()) return sign;
     // The first component of (a - o) x (b - o) that is not zero decides (displacement).
     for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})
-        if (const int sign = exact_determinant({a, b, ray.origin}, axis).sign()) return sign;
+        if (const int sign = determinant_expansion({a, b, ray.origin}, axis).sign()) return sign;
     return 0;
 }
 
@@ -92,7 +92,7 @@ int volume_sign(const Ray& ray, const Corners& c, Effort& effort)
 {
     if (const int sign = plain_normal(c).along(difference(c[0], ray.origin)).sign()) return sign;
     ++effort.exact_calls;
-    return exact_volume(ray, c).sign();
+    return volume_expansion(ray, c).sign();
 }
 
 /// The floats nearest to quotients of one determinant, where double precision knows them.
@@ -133,7 +133,9 @@ vec3 unit_normal(const Corners& c, const PlainCross& plain)
 {
     dvec3 n = plain.n;
     if (largest_size(n) < 0x1p-24 * largest_size(plain.size)) { // digits cancel
-        const auto exact = [&](const vec3& axis) { return exact_determinant(c, axis).estimate(); };
+        const auto exact = [&](const vec3& axis) {
+            return determinant_expansion(c, axis).estimate();
+        };
         n = {exact({1, 0, 0}), exact({0, 1, 0}), exact({0, 0, 1})};
     }
     return vec3(n * (1 / std::sqrt(glm::dot(n, n)))); // squares are from 2^-596 to 2^404
@@ -147,9 +149,11 @@ std::array<float, 2> weights(const Ray& ray, const Corners& c, const CertainQuot
     std::array<float, 2> uv = {
         quotient(-r.along(difference(c[2], c[0]))), quotient(r.along(difference(c[1], c[0])))};
     if (uv[0] != uv[0])
-        uv[0] = rounded_quotient(exact_edge(ray, c[2], c[0]), exact_determinant(c, ray.direction));
+        uv[0] =
+            rounded_quotient(exact_edge(ray, c[2], c[0]), determinant_expansion(c, ray.direction));
     if (uv[1] != uv[1])
-        uv[1] = rounded_quotient(exact_edge(ray, c[0], c[1]), exact_determinant(c, ray.direction));
+        uv[1] =
+            rounded_quotient(exact_edge(ray, c[0], c[1]), determinant_expansion(c, ray.direction));
     return uv;
 }
 
@@ -201,9 +205,9 @@ int compare_depth(const Ray& ray, const Corners& a, const Corners& b, Effort& ef
     if (same_points(a, b)) return 0;
 
     ++effort.exact_calls;
-    const auto det_a = exact_determinant(a, ray.direction),
-               det_b = exact_determinant(b, ray.direction);
-    const auto volume_a = exact_volume(ray, a), volume_b = exact_volume(ray, b);
+    const auto det_a = determinant_expansion(a, ray.direction),
+               det_b = determinant_expansion(b, ray.direction);
+    const auto volume_a = volume_expansion(ray, a), volume_b = volume_expansion(ray, b);
     Expansion<2 * 2 * 36 * 48> sum; // |volume_a| |det_b| - |volume_b| |det_a|
     sum.add_product(det_b, volume_a, double(volume_a.sign() * det_b.sign()));
     sum.add_product(det_a, volume_b, -double(volume_b.sign() * det_a.sign()));
@@ -217,8 +221,8 @@ int compare_depth(const Ray& ray, const Corners& c, float t, Effort& effort)
     if (own.high < double(t) || std::isinf(t)) return -1;
     if (own.low > double(t)) return 1;
     ++effort.exact_calls;
-    const auto det = exact_determinant(c, ray.direction);
-    const auto volume = exact_volume(ray, c);
+    const auto det = determinant_expansion(c, ray.direction);
+    const auto volume = volume_expansion(ray, c);
     Expansion<48 + 2 * 36> sum; // |volume| - t |det|
     for (int i = 0; i < volume.size(); ++i) sum.add(volume.sign() * volume[i]);
     sum.add_scaled(det, -double(t) * det.sign());
@@ -249,7 +253,7 @@ RayHit rounded_hit(const Ray& ray, const Corners& c)
     RayHit hit;
     hit.t = quotient(normal.along(difference(c[0], ray.origin)));
     if (hit.t != hit.t)
-        hit.t = rounded_quotient(exact_volume(ray, c), exact_determinant(c, ray.direction));
+        hit.t = rounded_quotient(volume_expansion(ray, c), determinant_expansion(c, ray.direction));
     const auto [u, v] = weights(ray, c, quotient);
     hit.u = u;
     hit.v = v;
