@@ -10,8 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
-        if (firsthit::parse_npy_points(bytes, "fuzz").size() > size / 12) std::abort();
-        if (firsthit::parse_npy_vectors(bytes, "fuzz").size() > size / 12) std::abort();
+        if (firsthit::parse_npy_points(bytes, "fuzz").size() > size / 3) std::abort();
+        if (firsthit::parse_npy_vectors(bytes, "fuzz").size() > size / 3) std::abort();
     } catch (const firsthit::FileError&) {
     }
     try {
@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const firsthit::FileError&) {
     }
     try {
-        if (firsthit::parse_npy_ids(bytes, "fuzz").size() > size / 4) std::abort();
+        if (firsthit::parse_npy_ids(bytes, "fuzz").size() > size) std::abort();
     } catch (const firsthit::FileError&) {
     }
     return 0;
