@@ -161,7 +161,7 @@ std::array<float, 2> rounded_barycentrics(const Corners& c, const vec3& d)
 std::array<float, 2> rounded_parallel_barycentrics(const Corners& c, const vec3& d)
 {
     // s = volume / det, and the weight of corner k is edge_k s_k / (det s).
-    const double size = exact_volume(c).estimate();
+    const double size = volume_expansion(c).estimate();
     const auto rounded = [&](std::size_t k) {
         Expansion<12> edge;
         add_volume(edge, c[(k + 1) % 3], c[(k + 2) % 3], d);
@@ -174,8 +174,8 @@ std::array<float, 2> rounded_parallel_barycentrics(const Corners& c, const vec3&
 bool is_beyond(const Corners& c, const vec3& d, float nearest)
 {
     // |volume| > nearest |det|. Both have a sign, and that of a hit's det is the volume's.
-    const auto det = exact_determinant(c, d);
-    const auto size = exact_volume(c);
+    const auto det = determinant_expansion(c, d);
+    const auto size = volume_expansion(c);
     Expansion<12 + 2 * 36> ahead;
     ahead.add(size);
     ahead.add_scaled(det, -double(nearest));
