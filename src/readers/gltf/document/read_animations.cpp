@@ -11,7 +11,7 @@
 namespace firsthit::gltf {
 namespace {
 
-AnimationSampler read_sampler(Loader& loader, const Place& place)
+AnimationSampler read_animation_sampler(Loader& loader, const Place& place)
 {
     const std::size_t accessors = loader.document.accessors.size();
     AnimationSampler sampler;
@@ -95,7 +95,7 @@ void read_animations(Loader& loader)
         Animation animation;
         animation.name = place.text("name");
         place.each("samplers", [&](std::size_t, const Place& sampler) {
-            animation.samplers.push_back(read_sampler(loader, sampler));
+            animation.samplers.push_back(read_animation_sampler(loader, sampler));
         });
         std::set<std::pair<int, AnimatedProperty>> moved;
         place.each("channels", [&](std::size_t, const Place& entry) {

@@ -27,7 +27,7 @@ Code code(Loader& loader, const Place& place, const char* key, Code fallback,
     return fallback;
 }
 
-Sampler read_sampler(Loader& loader, const Place& place)
+Sampler read_texture_sampler(Loader& loader, const Place& place)
 {
     const auto wrap = [&](const char* key) {
         return code(loader, place, key, Wrap::kRepeat,
@@ -93,8 +93,9 @@ void read_textures(Loader& loader)
 {
     Document& document = loader.document;
     std::vector<Sampler> samplers;
-    loader.root.each("samplers",
-        [&](std::size_t, const Place& place) { samplers.push_back(read_sampler(loader, place)); });
+    loader.root.each("samplers", [&](std::size_t, const Place& place) {
+        samplers.push_back(read_texture_sampler(loader, place));
+    });
     loader.root.each("images", [&](std::size_t, const Place& place) {
         document.images.push_back(read_image_entry(loader, place));
     });
