@@ -28,7 +28,11 @@ HoldInterrupts::HoldInterrupts()
     struct sigaction hold {};
     hold.sa_handler = remember;
     hold.sa_flags = SA_RESTART;
-    for (std::size_t k = 0; k < kSignals.size(); ++k) sigaction(kSignals[k], &hold, &before_[k]);
+    for (std::size_t k = 0; k < kSignals.size(); ++k) {
+        sigaction(kSignals[k], &hold, &before_[k]);
+        // What is ignored, as in a shell's background or under nohup, stays so.
+        if (before_[k].sa_handler == SIG_IGN) sigaction(kSignals[k], &before_[k], nullptr);
+    }
 }
 
 HoldInterrupts::~HoldInterrupts()
