@@ -101,5 +101,29 @@ printf %s old >a.npy
 (ulimit -f 8; "$program" render builtin:torus --size 200x200 --aov item=a.npy 2>stderr) && fail "no limit on sizes"
 [ "$(cat a.npy)" = old ] || fail "a write beyond the limit spoils the old file"
 
+# --- signals -------------------------------------------------------------------------------------
+# Of several frames, whatever file is there is whole; a signal that is ignored ends nothing.
+many=(render builtin:robots --size 160x90 --aa 1 --frames 0:4:60)
+for disposition in - ''; do
+    rm -f signal_*.png
+    (trap "$disposition" TERM; exec "$program" "${many[@]}" -o signal_%d.png) >stdout 2>stderr </dev/null &
+    pid=$!
+    while [ ! -e signal_2.png ] && kill -0 $pid 2>>stderr; do sleep 0.01; done
+    kill -TERM $pid
+    code=0
+    wait $pid || code=$?
+    checks=$((checks + 1))
+    count=$(find . -name 'signal_*.png' | wc -l)
+    if [ -z "$disposition" ]; then
+        [ "$code" -eq 0 ] && [ "$count" -eq 60 ] || fail "an ignored signal: exit code $code, $count files: $(head -c 200 stderr)"
+    else
+        [ "$code" -eq 143 ] || fail "a signal: exit code $code"
+    fi
+    for file in signal_*.png; do
+        [ "$(tail -c 8 "$file" | head -c 4)" = IEND ] || fail "$file is cut off"
+    done
+done
+[ -z "$(find . -name '.*' -type f)" ] || fail "files under temporary names: $(ls -a)"
+
 echo "$checks checks, $failures failures"
 [ "$failures" -eq 0 ]
