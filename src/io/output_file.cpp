@@ -160,7 +160,8 @@ void OutputFile::write(const void* data, std::size_t bytes)
         place_ += bytes;
         return;
     }
-    if (error_ || std::fwrite(data, 1, bytes, file_) != bytes) fail(errno);
+    // Nothing may be null, which fwrite does not accept.
+    if (error_ || (bytes > 0 && std::fwrite(data, 1, bytes, file_) != bytes)) fail(errno);
 }
 
 void OutputFile::seek(std::uint64_t offset)
